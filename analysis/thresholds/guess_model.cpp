@@ -151,10 +151,15 @@ double Guessers::mean_rating() const {
 
 Guessers estimate_guessers(const Eigen::VectorXd& cells, const Eigen::VectorXd& references,
                            const TaskFacts& task) {
-  if (task.right_is_yes) return guessers_of_false_alarms(references);
+  if (task.right_is_yes) {
+    Guessers yes = guessers_of_false_alarms(references);
+    yes.task = task;
+    return yes;
+  }
   GuessChoices choices;
   Guessers found;
   found.position = equal_positions(task);
+  found.task = task;
   found.rating = {};
   for (Eigen::Index begin = 0; begin < cells.size(); begin += counts_of_cell)
     for (int place = 0; place < counts_of_cell; ++place) {
@@ -172,7 +177,7 @@ Guessers estimate_guessers(const Eigen::VectorXd& cells, const Eigen::VectorXd& 
     found.rating[static_cast<std::size_t>(place % study::highest_rating)] += n;
     found.reference_answers += n;
   }
-  if (!found.known()) return {.position = equal_positions(task)};
+  if (!found.known()) return {.position = equal_positions(task), .task = task};
   for (double& share : found.rating) share /= found.wrong_answers + found.reference_answers;
   found.position_estimated = positions_are_comparable(choices);
   for (int step = 0; found.position_estimated && step < position_steps; ++step) {

@@ -17,6 +17,7 @@ struct Guessers {
   std::array<double, study::highest_rating> rating = {1, 0, 0, 0};                         ///< g
   double wrong_answers = 0, reference_answers = 0;  ///< what they were estimated from
   bool position_estimated = false;  ///< false: equal positions are assumed, because the data do not say
+  TaskFacts task = {};              ///< what `position` is a choice among
 
   [[nodiscard]] bool known() const { return wrong_answers + reference_answers > 0; }
   [[nodiscard]] double mean_rating() const;

@@ -77,16 +77,36 @@ std::string sos_text(const SosParameter& sos) {
                      sos.stimuli);
 }
 
+namespace {
+
+/// How guesses fall on the alternatives of the task.
+std::string guesses_text(const Guessers& guessers) {
+  const auto percent = [&](std::size_t place) {
+    return fmt::format("{:.0f}", 100 * guessers.position[place]);
+  };
+  const std::string assumed = guessers.position_estimated ? "" : " (assumed)";
+  if (guessers.task.right_is_yes)
+    return fmt::format("People see something in {} % of the pictures into which nothing was inserted",
+                       percent(0));
+  const bool in_a_row = guessers.task.pictures > 1;
+  if (guessers.task.alternatives == 2)
+    return fmt::format("Guessers choose {} in {} and {} %{}",
+                       in_a_row ? "first and second" : "left and right", percent(0), percent(1), assumed);
+  return fmt::format("Guessers choose {} in {}, {} and {} %{}",
+                     in_a_row ? "first, second and third" : "left, middle and right", percent(0), percent(1),
+                     percent(2), assumed);
+}
+
+}  // namespace
+
 std::string guessers_text(const GuessCorrection& correction) {
   const Guessers& guessers = correction.guessers;
   if (!guessers.known()) return "Nobody chose wrong: there are no guesses to learn from.";
   return fmt::format(
-      "Guessers choose left, middle and right in {:.0f}, {:.0f} and {:.0f} %{} and rate {:.2f} on average "
-      "(from {:.0f} wrong choices and {:.0f} reference trials), so that uncorrected noticeability is not "
+      "{} and rate {:.2f} on average (from {:.0f} wrong choices and {:.0f} reference trials), so that uncorrected noticeability is not "
       "expected below {:.2f}.",
-      100 * guessers.position[0], 100 * guessers.position[1], 100 * guessers.position[2],
-      guessers.position_estimated ? "" : " (assumed)", guessers.mean_rating(), guessers.wrong_answers,
-      guessers.reference_answers, correction.floor);
+      guesses_text(guessers), guessers.mean_rating(), guessers.wrong_answers, guessers.reference_answers,
+      correction.floor);
 }
 
 std::string screening_sentence(const Screening& screening) {
