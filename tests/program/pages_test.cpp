@@ -192,7 +192,9 @@ TEST(Documentation, EveryLinkLeadsToAFileAndToAHeadingOfIt) {
     }
 }
 
+/// A scene, an object, a sky, or the texts of a language.
 bool is_builtin(const std::string& name) {
+  if (fs::is_regular_file(repository() / "stimuli/texts" / (name + ".toml"))) return true;
   for (const BuiltinKind kind : {BuiltinKind::scene, BuiltinKind::environment}) try {
       (void)resolve_named_file("builtin:" + name, "--scene", kind);
       return true;
