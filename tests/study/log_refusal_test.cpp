@@ -1,5 +1,6 @@
 // What a log refuses: values out of range, files that are no logs, other studies, other places.
 #include <SQLiteCpp/SQLiteCpp.h>
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,6 +8,7 @@
 
 #include "log_fixture.h"
 #include "study/log/log_admin.h"
+#include "study/log/log_schema.h"
 
 namespace seamline::study {
 namespace {
@@ -124,7 +126,8 @@ TEST_F(LogTest, FilesThatAreNotLogsAreRefused) {
   SQLite::Database(path.string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 1");
   refused("written by an older seamline");
   { LogWriter log(path, set); }
-  SQLite::Database(path.string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 7");
+  SQLite::Database(path.string(), SQLite::OPEN_READWRITE)
+      .exec(fmt::format("PRAGMA user_version = {}", newest_log_schema_version + 1));
   refused("written by a newer seamline");
   { LogWriter log(path, set); }
   SQLite::Database(path.string(), SQLite::OPEN_READWRITE)
