@@ -92,7 +92,10 @@ void each_neighbour(const SquareGrid<side>& grid, int square, const Take& take) 
   const int columns = grid.columns(), left = column - (grid.wraps || column > 0 ? 1 : 0),
             right = column + (grid.wraps || column + 1 < columns ? 1 : 0);
   for (int r = std::max(row - 1, 0); r <= std::min(row + 1, grid.rows() - 1); ++r)
-    for (int c = left; c <= right; ++c) take(static_cast<std::size_t>(r * columns + (c + columns) % columns));
+    for (int c = left; c <= right; ++c) {
+      const int there = r * columns + (c + columns) % columns;
+      take(static_cast<std::size_t>(there));
+    }
 }
 
 /// The tiles and the eight around each of them.

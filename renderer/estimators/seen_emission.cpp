@@ -141,16 +141,17 @@ std::vector<PictureSquare> squares_that_meet(const Camera& camera, int x, int y,
   for (int halving = 0; halving < most_halvings && !squares.empty() && squares.size() < most_squares;
        ++halving) {
     std::vector<PictureSquare> smaller;
-    for (const PictureSquare& square : squares)
-      for (const int quarter : {0, 1, 2, 3}) {
-        const float half_px = 0.5F * square.side_px;
-        const PictureSquare part{square.left + half_px * static_cast<float>(quarter % 2),
-                                 square.top + half_px * static_cast<float>(quarter / 2), half_px};
-        const ViewCone cone = cone_around(camera, x, part);
-        if (std::any_of(pieces.begin(), pieces.end(),
-                        [&](const EmitterPiece& piece) { return cone.meets(piece); }))
-          smaller.push_back(part);
-      }
+    for (const PictureSquare& square : squares) {
+      const float half_px = 0.5F * square.side_px;
+      for (const float top : {square.top, square.top + half_px})
+        for (const float left : {square.left, square.left + half_px}) {
+          const PictureSquare part{left, top, half_px};
+          const ViewCone cone = cone_around(camera, x, part);
+          if (std::any_of(pieces.begin(), pieces.end(),
+                          [&](const EmitterPiece& piece) { return cone.meets(piece); }))
+            smaller.push_back(part);
+        }
+    }
     squares = std::move(smaller);
   }
   return squares;
