@@ -44,8 +44,8 @@ float weight_towards(const ShownWeights& weights, const Eigen::Vector3d& at_m, D
   const int column = static_cast<int>((std::atan2(d.x(), -d.z()) / (2 * std::numbers::pi) + 0.5) *
                                       weights.width_px),
             row = static_cast<int>((0.5 - std::asin(d.y()) / std::numbers::pi) * weights.height_px);
-  return weights
-      .texels[static_cast<std::size_t>(row * weights.width_px + column)][static_cast<std::size_t>(role)];
+  const int texel = row * weights.width_px + column;
+  return weights.texels[static_cast<std::size_t>(texel)][static_cast<std::size_t>(role)];
 }
 
 TEST(BudgetedPanorama, WeightsLieWhereTheObjectIsSeenShadesAndIsShaded) {

@@ -124,7 +124,7 @@ TEST(RightRule, EveryAlternativeIsRightEquallyOftenAndTheSameAgain) {
     }
     ASSERT_EQ(times.size(), static_cast<std::size_t>(pictures));
     for (const auto& [right, count] : times)
-      EXPECT_NEAR(count, trials / pictures, 4 * std::sqrt(trials)) << right;
+      EXPECT_NEAR(count, static_cast<double>(trials) / pictures, 4 * std::sqrt(trials)) << right;
   }
 }
 
