@@ -172,8 +172,8 @@ TEST(RecruitmentDesk, TheDoorKeepsTheClosingDateAndThePlaces) {
   EXPECT_EQ(come(1), "");
   EXPECT_EQ(come(2), "");
   EXPECT_EQ(come(3), "full F");
-  EXPECT_EQ(come(2), "");  // the same message again: they are in
-  now = begin + 20 * 60;   // nobody was heard of for so long
+  EXPECT_EQ(come(2), "");               // the same message again: they are in
+  now = begin + std::int64_t{20} * 60;  // nobody was heard of for so long
   EXPECT_EQ(come(4), "");
   now = 4'102'444'800;  // the closing date itself
   EXPECT_EQ(come(5), "full F");
