@@ -214,10 +214,9 @@ std::vector<std::string> notes_on_task(const study::LogContents& log) {
   if (is_papers_task(log)) return {};
   const TaskFacts task = facts_of(log.task.get());
   std::vector<std::string> notes;
-  std::string chance = "from reference trials";
-  if (!task.right_is_yes) chance = fmt::format("1 in {}", task.alternatives);
-  notes.push_back(fmt::format("The task is '{}' ({}), {}; no seam seen is answered by chance, {}.",
-                              word(task.kind),
+  std::string chance = "is right as often as there are false alarms in reference trials";
+  if (!task.right_is_yes) chance = fmt::format("guesses, and is right in 1 of {}", task.alternatives);
+  notes.push_back(fmt::format("The task is {} ({}), {}. Who sees no seam {}.", word(task.kind),
                               task.chooses ? fmt::format("{} answers", task.alternatives) : "five labels",
                               task.rates ? "with a rating" : "without a rating", chance));
   if (!task.rates)

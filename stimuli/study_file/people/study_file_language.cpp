@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <functional>
-#include <regex>
 #include <set>
 
+#include "stimuli/settings/session_settings.h"
 #include "stimuli/study_file/people/study_file_recruitment.h"
 #include "support/files/assets.h"
 #include "support/files/confined_path.h"
@@ -171,8 +171,7 @@ std::string toml_list(const std::vector<std::string>& texts) {
 }  // namespace
 
 bool is_language_tag(const std::string& text) {
-  static const std::regex tag("[A-Za-z]{1,8}(-[A-Za-z0-9]{1,8}){0,7}");
-  return std::regex_match(text, tag);
+  return fault_of_language({.language = text}).empty();
 }
 
 std::shared_ptr<const LanguageDefinitions> read_languages(const TomlTable& study, const std::string& own) {
