@@ -4,10 +4,10 @@
 
 #include <array>
 
-#include "renderer/common/sampler.h"
+#include "raytracer/common/sampler.h"
+#include "raytracer/tracing/geometry.h"
 #include "renderer/depth/adaptive_mesh.h"
 #include "renderer/picture/composite.h"
-#include "renderer/tracing/geometry.h"
 
 namespace seamline {
 using namespace renderer;

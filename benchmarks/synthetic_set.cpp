@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <map>
 
-#include "renderer/set/render_set.h"
-#include "renderer/set/set_records.h"
+#include "sets/render_set.h"
+#include "sets/set_records.h"
 #include "stimuli/study_file/study_file.h"
 #include "support/text/error.h"
 

@@ -1,4 +1,4 @@
-# The page of `seamline export SET_OR_SCENE --x3d DIR`: ours from renderer/x3d/page, and X3DOM from the npm registry, pinned.
+# The page of `seamline export SET_OR_SCENE --x3d DIR`: ours from x3d/page, and X3DOM from the npm registry, pinned.
 # Laid together in the build folder, from where it is installed to share/seamline/x3d.
 set(SEAMLINE_X3D AUTO CACHE STRING "build `seamline export --x3d`: AUTO, ON or OFF")
 set_property(CACHE SEAMLINE_X3D PROPERTY STRINGS AUTO ON OFF)
@@ -11,7 +11,7 @@ set(x3dom_sha512 b2a7786c8c8a10a7061be0fd7daee5079a2239e379edad45cd7d07059beb386
 seamline_npm_archive(x3dom ${x3dom_version} ${x3dom_sha512} SEAMLINE_X3D SEAMLINE_X3DOM SEAMLINE_HAS_X3D)
 
 if(SEAMLINE_HAS_X3D)
-  set(x3d_sources ${PROJECT_SOURCE_DIR}/renderer/x3d/page)
+  set(x3d_sources ${PROJECT_SOURCE_DIR}/x3d/page)
   file(GLOB x3d_files CONFIGURE_DEPENDS RELATIVE ${x3d_sources} ${x3d_sources}/*)
   file(REMOVE_RECURSE ${SEAMLINE_X3D_FOLDER})
   foreach(file IN LISTS x3d_files)

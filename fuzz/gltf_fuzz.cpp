@@ -1,6 +1,6 @@
 // A scene file: .gltf, or .glb by its first bytes. A buffer file of 48 bytes lies beside it as buffer.bin.
 #include "fuzz/fuzz_target.h"
-#include "renderer/scene/scene_file.h"
+#include "raytracer/scene/scene_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace seamline;

@@ -10,7 +10,7 @@
 #include "live/frame/eye_picture.h"
 #include "live/frame/fitted_surface.h"
 #include "live/frame/pixel_rays.h"
-#include "renderer/common/parallel.h"
+#include "raytracer/common/parallel.h"
 #include "renderer/realtime/depth_normals.h"
 
 namespace seamline::live {

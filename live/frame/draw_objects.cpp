@@ -7,7 +7,7 @@
 #include "live/frame/eye_picture.h"
 #include "live/frame/moving_objects.h"
 #include "live/frame/pixel_rays.h"
-#include "renderer/common/parallel.h"
+#include "raytracer/common/parallel.h"
 #include "sensors/frame/depth_test.h"
 
 namespace seamline::live {

@@ -2,11 +2,11 @@
 #include <Eigen/Geometry>
 #include <vector>
 
+#include "composites/photo_objects.h"
 #include "live/recording/loaded_recording.h"
-#include "renderer/composite/photo_objects.h"
-#include "renderer/light/light.h"
+#include "raytracer/light/light.h"
+#include "raytracer/tracing/geometry.h"
 #include "renderer/realtime/depth_picture.h"
-#include "renderer/tracing/geometry.h"
 
 namespace seamline::live {
 

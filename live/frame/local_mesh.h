@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "live/frame/depth_points.h"
-#include "renderer/tracing/mesh.h"
+#include "raytracer/tracing/mesh.h"
 
 namespace seamline::live {
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "live/frame/pixel_rays.h"
-#include "renderer/common/parallel.h"
+#include "raytracer/common/parallel.h"
 
 namespace seamline::live {
 namespace {

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "live/frame/local_mesh.h"
-#include "renderer/physics/rigid_world.h"
+#include "physics/rigid_world.h"
 
 namespace seamline::live {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
-#include "renderer/physics/body_shape.h"
-#include "renderer/physics/settle.h"
+#include "physics/body_shape.h"
+#include "physics/settle.h"
 #include "support/running/interrupt.h"
 #include "support/text/error.h"
 

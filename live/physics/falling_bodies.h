@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "composites/photo_objects.h"
 #include "live/physics/depth_ground.h"
-#include "renderer/composite/photo_objects.h"
 
 namespace seamline::live {
 

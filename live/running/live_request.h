@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "composites/photo_objects.h"
 #include "live/frame/methods.h"
 #include "live/frame/pipeline.h"
 #include "live/tracking/tracker.h"
-#include "renderer/composite/photo_objects.h"
 
 namespace seamline::live {
 

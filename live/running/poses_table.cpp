@@ -1,6 +1,6 @@
 #include "live/running/poses_table.h"
 
-#include "renderer/scene/resting_object.h"
+#include "raytracer/scene/resting_object.h"
 #include "support/files/atomic_file.h"
 
 namespace seamline::live {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/common/parallel.h"
+#include "raytracer/common/parallel.h"
 
 namespace seamline::renderer {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
+#include "raytracer/tracing/geometry.h"
 #include "renderer/depth/depth_map.h"
-#include "renderer/tracing/geometry.h"
 
 namespace seamline::renderer {
 

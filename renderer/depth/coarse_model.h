@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "raytracer/tracing/mesh.h"
 #include "renderer/depth/depth_map.h"
 #include "renderer/depth/plane_faces.h"
-#include "renderer/tracing/mesh.h"
 #include "stimuli/set/manifest.h"
 
 namespace seamline::renderer {

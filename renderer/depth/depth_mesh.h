@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "raytracer/tracing/mesh.h"
 #include "renderer/depth/depth_map.h"
-#include "renderer/tracing/mesh.h"
 #include "stimuli/definition/study_definition.h"
 
 namespace seamline::renderer {

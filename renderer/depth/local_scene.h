@@ -2,11 +2,11 @@
 #include <memory>
 #include <optional>
 
+#include "raytracer/scene/camera.h"
+#include "raytracer/tracing/geometry.h"
 #include "renderer/depth/depth_mesh.h"
 #include "renderer/depth/occlusion_test.h"
 #include "renderer/depth/panorama_chain.h"
-#include "renderer/scene/camera.h"
-#include "renderer/tracing/geometry.h"
 #include "stimuli/definition/stimulus.h"
 #include "stimuli/set/manifest.h"
 #include "support/files/image.h"

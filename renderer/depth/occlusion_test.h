@@ -5,8 +5,8 @@
 #include <variant>
 #include <vector>
 
+#include "raytracer/material/mask.h"
 #include "renderer/depth/depth_map.h"
-#include "renderer/material/mask.h"
 #include "renderer/realtime/depth_picture.h"
 #include "sensors/frame/depth_frame.h"
 #include "sensors/frame/depth_test.h"

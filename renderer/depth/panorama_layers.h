@@ -1,8 +1,8 @@
 #pragma once
+#include "raytracer/tracing/geometry.h"
+#include "raytracer/tracing/mesh.h"
 #include "renderer/depth/depth_map.h"
 #include "renderer/depth/depth_mesh.h"
-#include "renderer/tracing/geometry.h"
-#include "renderer/tracing/mesh.h"
 
 namespace seamline::renderer {
 

@@ -3,7 +3,7 @@
 #include <memory>
 #include <optional>
 
-#include "renderer/common/byte_stream.h"
+#include "raytracer/common/byte_stream.h"
 #include "renderer/depth/occlusion_test.h"
 #include "renderer/estimators/estimator_choices.h"
 #include "renderer/picture/composite.h"

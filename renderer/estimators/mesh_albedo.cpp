@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/common/parallel.h"
+#include "raytracer/common/parallel.h"
 #include "renderer/depth/depth_map.h"
 #include "renderer/transport/transport.h"
 

@@ -1,9 +1,9 @@
 #pragma once
 #include <memory>
 
-#include "renderer/light/light.h"
-#include "renderer/scene/camera.h"
-#include "renderer/tracing/geometry.h"
+#include "raytracer/light/light.h"
+#include "raytracer/scene/camera.h"
+#include "raytracer/tracing/geometry.h"
 #include "stimuli/definition/study_definition.h"
 #include "support/files/image.h"
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <optional>
 
-#include "renderer/common/parallel.h"
-#include "renderer/common/sampler.h"
+#include "raytracer/common/parallel.h"
+#include "raytracer/common/sampler.h"
+#include "raytracer/light/light_sample.h"
 #include "renderer/depth/depth_map.h"
-#include "renderer/light/light_sample.h"
 #include "renderer/transport/transport.h"
 #include "support/arithmetic/colour.h"
 

@@ -1,8 +1,8 @@
 #pragma once
-#include "renderer/light/light.h"
-#include "renderer/material/mask.h"
-#include "renderer/scene/camera.h"
-#include "renderer/tracing/geometry.h"
+#include "raytracer/light/light.h"
+#include "raytracer/material/mask.h"
+#include "raytracer/scene/camera.h"
+#include "raytracer/tracing/geometry.h"
 #include "support/files/image.h"
 
 namespace seamline::renderer {

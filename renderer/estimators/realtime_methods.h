@@ -1,6 +1,6 @@
 #pragma once
+#include "raytracer/scene/truth_scene.h"
 #include "renderer/depth/local_scene.h"
-#include "renderer/scene/truth_scene.h"
 #include "renderer/transport/scene_geometry.h"
 
 namespace seamline::renderer {

@@ -1,7 +1,7 @@
 #include "renderer/estimators/rig_photograph.h"
 
-#include "renderer/common/parallel.h"
-#include "renderer/common/sampler.h"
+#include "raytracer/common/parallel.h"
+#include "raytracer/common/sampler.h"
 #include "renderer/transport/transport.h"
 #include "support/running/interrupt.h"
 

@@ -2,9 +2,9 @@
 #include <Eigen/Geometry>
 #include <functional>
 
-#include "renderer/light/light.h"
-#include "renderer/scene/camera.h"
-#include "renderer/tracing/geometry.h"
+#include "raytracer/light/light.h"
+#include "raytracer/scene/camera.h"
+#include "raytracer/tracing/geometry.h"
 #include "sensors/camera/pinhole_camera.h"
 #include "support/files/image.h"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/common/parallel.h"
-#include "renderer/common/tiles.h"
+#include "raytracer/common/parallel.h"
+#include "raytracer/common/tiles.h"
 
 namespace seamline::renderer {
 namespace {

@@ -1,8 +1,8 @@
 #include "renderer/estimators/sensed_scene.h"
 
+#include "raytracer/scene/truth_scene.h"
 #include "renderer/depth/sensor/sensor_pose.h"
 #include "renderer/depth/sensor/sensor_view.h"
-#include "renderer/scene/truth_scene.h"
 #include "sensors/rig/presets.h"
 #include "support/text/error.h"
 

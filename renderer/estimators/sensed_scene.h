@@ -1,8 +1,8 @@
 #pragma once
 #include <Eigen/Geometry>
 
+#include "raytracer/scene/scene_file.h"
 #include "renderer/estimators/rig_photograph.h"
-#include "renderer/scene/scene_file.h"
 #include "sensors/noise/measurement.h"
 #include "sensors/rig/rig.h"
 #include "stimuli/definition/study_definition.h"

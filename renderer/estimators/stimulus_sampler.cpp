@@ -1,7 +1,7 @@
 #include "renderer/estimators/stimulus_sampler.h"
 
+#include "raytracer/tracing/surface_point.h"
 #include "renderer/estimators/seen_emission.h"
-#include "renderer/tracing/surface_point.h"
 #include "renderer/transport/object_light.h"
 #include "renderer/transport/path_batch.h"
 #include "renderer/transport/realtime_light.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <memory>
 
-#include "renderer/common/parallel.h"
+#include "raytracer/common/parallel.h"
 
 namespace seamline::renderer {
 namespace {

@@ -2,9 +2,9 @@
 #include <array>
 #include <vector>
 
-#include "renderer/common/tiles.h"
+#include "raytracer/common/tiles.h"
+#include "raytracer/scene/camera.h"
 #include "renderer/picture/scene_sums.h"
-#include "renderer/scene/camera.h"
 
 namespace seamline::renderer {
 

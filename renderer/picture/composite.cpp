@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "renderer/common/parallel.h"
+#include "raytracer/common/parallel.h"
 #include "renderer/picture/pocket_filter.h"
 #include "stimuli/pictures/difference.h"
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "renderer/common/parallel.h"
+#include "raytracer/common/parallel.h"
 #include "renderer/picture/bounce_filter.h"
 
 namespace seamline::renderer {

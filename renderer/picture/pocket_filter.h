@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "renderer/common/tiles.h"
+#include "raytracer/common/tiles.h"
 #include "renderer/picture/pixel_sums.h"
 
 namespace seamline::renderer {

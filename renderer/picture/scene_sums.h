@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "renderer/common/tiles.h"
-#include "renderer/tracing/ray.h"
+#include "raytracer/common/tiles.h"
+#include "raytracer/tracing/ray.h"
 #include "renderer/transport/worlds.h"
 
 namespace seamline::renderer {

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "renderer/common/parallel.h"
+#include "raytracer/common/parallel.h"
 
 namespace seamline::renderer {
 namespace {

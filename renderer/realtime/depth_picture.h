@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "renderer/tracing/mesh.h"
+#include "raytracer/tracing/mesh.h"
 
 namespace seamline::renderer {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/common/parallel.h"
+#include "raytracer/common/parallel.h"
 #include "renderer/realtime/depth_normals.h"
 #include "renderer/realtime/harmonics/spherical_harmonics.h"
 

@@ -2,7 +2,7 @@
 #include <array>
 #include <vector>
 
-#include "renderer/light/light.h"
+#include "raytracer/light/light.h"
 #include "renderer/realtime/depth_picture.h"
 #include "renderer/realtime/harmonics/occlusion_field.h"
 

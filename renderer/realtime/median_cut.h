@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "renderer/light/light.h"
+#include "raytracer/light/light.h"
 
 namespace seamline::renderer {
 

@@ -2,7 +2,7 @@
 #include <span>
 #include <vector>
 
-#include "renderer/light/light.h"
+#include "raytracer/light/light.h"
 #include "renderer/realtime/depth_picture.h"
 #include "stimuli/definition/methods/pipeline.h"
 

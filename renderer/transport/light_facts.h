@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "renderer/scene/truth_scene.h"
+#include "raytracer/scene/truth_scene.h"
 #include "renderer/transport/omissions.h"
 
 namespace seamline::renderer {

@@ -1,6 +1,6 @@
 #include "renderer/transport/light_rays.h"
 
-#include "renderer/tracing/surface_point.h"
+#include "raytracer/tracing/surface_point.h"
 
 namespace seamline::renderer {
 

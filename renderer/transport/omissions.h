@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "renderer/tracing/ray.h"
+#include "raytracer/tracing/ray.h"
 
 namespace seamline::renderer {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <bit>
 
-#include "renderer/light/light_sample.h"
-#include "renderer/tracing/surface_point.h"
+#include "raytracer/light/light_sample.h"
+#include "raytracer/tracing/surface_point.h"
 
 namespace seamline::renderer {
 

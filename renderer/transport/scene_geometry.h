@@ -1,7 +1,7 @@
 #pragma once
 #include <array>
 
-#include "renderer/scene/truth_scene.h"
+#include "raytracer/scene/truth_scene.h"
 #include "renderer/transport/worlds.h"
 
 namespace seamline::renderer {

@@ -1,7 +1,7 @@
 #include "renderer/transport/transport.h"
 
-#include "renderer/light/light_sample.h"
-#include "renderer/tracing/surface_point.h"
+#include "raytracer/light/light_sample.h"
+#include "raytracer/tracing/surface_point.h"
 
 namespace seamline::renderer {
 namespace {

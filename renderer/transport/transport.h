@@ -1,9 +1,9 @@
 #pragma once
 #include <optional>
 
-#include "renderer/common/sampler.h"
-#include "renderer/light/light.h"
-#include "renderer/tracing/geometry.h"
+#include "raytracer/common/sampler.h"
+#include "raytracer/light/light.h"
+#include "raytracer/tracing/geometry.h"
 
 namespace seamline::renderer {
 

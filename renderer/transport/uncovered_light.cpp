@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "renderer/light/light_sample.h"
-#include "renderer/tracing/surface_point.h"
+#include "raytracer/light/light_sample.h"
+#include "raytracer/tracing/surface_point.h"
 
 namespace seamline::renderer {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 #include <span>
 
-#include "renderer/material/mask.h"
+#include "raytracer/material/mask.h"
 #include "renderer/transport/light_rays.h"
 #include "renderer/transport/transport.h"
 

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "renderer/common/sampler.h"
-#include "renderer/light/light.h"
+#include "raytracer/common/sampler.h"
+#include "raytracer/light/light.h"
 #include "renderer/transport/transport.h"
 
 namespace seamline::renderer {

@@ -2,7 +2,7 @@
 #include <functional>
 #include <optional>
 
-#include "renderer/scene/camera.h"
+#include "raytracer/scene/camera.h"
 #include "support/files/image.h"
 
 namespace seamline::renderer {

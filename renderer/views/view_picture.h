@@ -1,5 +1,5 @@
 #pragma once
-#include "renderer/scene/camera.h"
+#include "raytracer/scene/camera.h"
 #include "stimuli/definition/views/view.h"
 #include "support/files/image.h"
 

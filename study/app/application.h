@@ -7,7 +7,7 @@
 #include "study/app/pictures/picture_store.h"
 #include "study/app/screens/stage.h"
 #include "study/app/screens/trace.h"
-#include "study/commands/commands.h"
+#include "study/running/participant_request.h"
 #include "study/running/visit_store.h"
 #include "window/canvas.h"
 #include "window/panorama_view.h"

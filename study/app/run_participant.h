@@ -1,5 +1,5 @@
 #pragma once
-#include "study/commands/commands.h"
+#include "study/running/participant_request.h"
 
 namespace seamline::study::app {
 

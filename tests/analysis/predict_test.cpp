@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "analysis/commands/predict_text.h"
+#include "commands/planning/predict_text.h"
 #include "study/observers/observer.h"
 #include "support/text/error.h"
 #include "tests/stimuli/manifest_records.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "analysis/psychometric/intervals/fit_intervals.h"
-#include "stability/statistics/curve_fit_cases.h"
+#include "laboratory/stability/statistics/curve_fit_cases.h"
 #include "study/placement/sigmoid_shape.h"
 #include "tests/analysis/psychometric_simulated.h"
 

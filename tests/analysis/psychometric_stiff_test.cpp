@@ -8,7 +8,7 @@
 
 #include "analysis/psychometric/intervals/judged_fit.h"
 #include "analysis/psychometric/report/fit_json.h"
-#include "stability/statistics/curve_fit_cases.h"
+#include "laboratory/stability/statistics/curve_fit_cases.h"
 #include "support/arithmetic/random.h"
 #include "support/text/error.h"
 

@@ -6,8 +6,8 @@
 #include <map>
 #include <sstream>
 
+#include "physics/rigid_world.h"
 #include "program_window.h"
-#include "renderer/physics/rigid_world.h"
 #include "support/files/image.h"
 
 namespace seamline::test {

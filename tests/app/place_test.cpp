@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "composites/objects_file.h"
 #include "program_window.h"
-#include "renderer/composite/objects_file.h"
 #include "support/files/image.h"
 
 namespace seamline::test {

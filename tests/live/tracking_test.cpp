@@ -3,10 +3,10 @@
 
 #include <numbers>
 
+#include "laboratory/figures/marker_scene.h"
 #include "live/tracking/optical_flow.h"
 #include "live/tracking/tracker.h"
 #include "registration/calibration/aruco.h"
-#include "renderer/commands/marker_scene.h"
 #include "small_world.h"
 #include "support/text/error.h"
 

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "commands/study/ask_command.h"
 #include "study/log/log.h"
-#include "study/online/commands/ask_command.h"
 #include "study/running/quest_plus_results.h"
 #include "tests/complaint.h"
 #include "tests/online/online_people.h"

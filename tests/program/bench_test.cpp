@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "renderer/bench/bench.h"
+#include "laboratory/bench/bench.h"
 #include "run_program.h"
 
 namespace seamline {

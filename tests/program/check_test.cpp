@@ -4,8 +4,8 @@
 #include <regex>
 #include <set>
 
-#include "renderer/set/check.h"
 #include "run_program.h"
+#include "sets/check.h"
 
 namespace seamline {
 namespace {

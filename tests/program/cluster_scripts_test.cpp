@@ -6,8 +6,8 @@
 #include <iterator>
 #include <set>
 
-#include "renderer/cluster/job_scripts.h"
 #include "run_program.h"
+#include "sets/cluster/job_scripts.h"
 #include "support/text/error.h"
 
 namespace seamline {

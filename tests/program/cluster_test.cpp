@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "renderer/cluster/job_costs.h"
 #include "run_program.h"
 #include "running_program.h"
+#include "sets/cluster/job_costs.h"
 #include "stimuli/study_file/study_file.h"
 
 namespace seamline {

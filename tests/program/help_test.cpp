@@ -5,9 +5,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "program.h"
+#include "commands/options/command_help.h"
+#include "commands/program.h"
 #include "run_program.h"
-#include "support/text/command_help.h"
 
 namespace seamline {
 namespace {

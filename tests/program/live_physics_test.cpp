@@ -1,6 +1,6 @@
 // Things that fall in a recording, as people ask for it.
+#include "physics/rigid_world.h"
 #include "refusal.h"
-#include "renderer/physics/rigid_world.h"
 
 namespace seamline {
 namespace {

@@ -10,15 +10,15 @@
 #include <map>
 #include <set>
 
-#include "program.h"
+#include "commands/options/command_help.h"
+#include "commands/program.h"
+#include "physics/rigid_world.h"
 #include "registration/calibration/aruco.h"
-#include "renderer/physics/rigid_world.h"
 #include "run_program.h"
 #include "running_program.h"
 #include "study/online/messages/message_writer.h"
 #include "support/files/assets.h"
 #include "support/files/image.h"
-#include "support/text/command_help.h"
 #include "tests/app/picture_set.h"
 
 namespace seamline {

@@ -56,10 +56,10 @@ TEST(Manners, OneFunctionWritesFiles) {
   // Besides write_file_atomically: a trace and frame times, which grow by the line while the window is open
   // and are for tests and for those who measure; the log (SQLite's own), with the empty file that claims its
   // name, and the lock beside it; the lock of a set; gnuplot's messages.
-  const std::set<std::string> openers = {
-      "renderer/set/sharing/set_claim.cpp", "support/files/atomic_file.cpp", "support/files/gnuplot.cpp",
-      "study/app/pictures/frame_times.cpp", "study/app/screens/trace.cpp",   "study/log/log_create.cpp",
-      "study/log/session_claims.cpp"};
+  const std::set<std::string> openers = {"sets/sharing/set_claim.cpp",  "support/files/atomic_file.cpp",
+                                         "support/files/gnuplot.cpp",   "study/app/pictures/frame_times.cpp",
+                                         "study/app/screens/trace.cpp", "study/log/log_create.cpp",
+                                         "study/log/session_claims.cpp"};
   EXPECT_EQ(files_with(R"(std::(basic_)?o?fstream\b|\bfopen\(|\bO_CREAT\b|\bcreat\(|\bmkstemp\()"), openers);
   // A log that is recovered or upgraded takes its name when it is whole, too.
   EXPECT_EQ(files_with(R"(::rename\(|fs::rename\(|filesystem::rename\()"),
@@ -93,10 +93,10 @@ TEST(Manners, PicturesOfASetAreOpenedWhereTheSetIs) {
   // A set may have come from somebody else, with links out of its folder: whoever opens what a manifest names
   // asks path_in_set. Its own two files know better, and so does what writes a set; `flip` opens what its
   // user names.
-  const std::set<std::string> known = {"renderer/set/set_pictures.cpp", "stimuli/set/manifest_pictures.cpp",
-                                       "renderer/commands/pictures/flip_command.cpp"};
+  const std::set<std::string> known = {"sets/set_pictures.cpp", "stimuli/set/manifest_pictures.cpp",
+                                       "commands/photographs/flip_command.cpp"};
   EXPECT_EQ(files_with(R"((folder|set)[a-z_]*(\(\))? / [a-z_.>()-]+(\.|->)(image|reference|object_ids)\b)"),
-            std::set<std::string>{"renderer/set/set_pictures.cpp"});
+            std::set<std::string>{"sets/set_pictures.cpp"});
   for (const std::string& file : files_with(R"(\bread_bytes_image\()")) {
     const std::string& text = sources().at(file);
     const bool confined = text.find("path_in_set") != std::string::npos ||

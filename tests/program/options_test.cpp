@@ -10,9 +10,9 @@
 #include <regex>
 #include <set>
 
-#include "program.h"
+#include "commands/options/command_help.h"
+#include "commands/program.h"
 #include "run_program.h"
-#include "support/text/command_help.h"
 #include "support/text/error.h"
 
 namespace seamline {

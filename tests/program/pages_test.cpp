@@ -8,10 +8,10 @@
 #include <regex>
 #include <set>
 
+#include "commands/options/command_help.h"
+#include "commands/program.h"
 #include "pages.h"
-#include "program.h"
 #include "support/files/assets.h"
-#include "support/text/command_help.h"
 #include "support/text/error.h"
 
 namespace seamline {

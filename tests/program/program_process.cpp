@@ -11,7 +11,7 @@
 #include <iostream>
 #include <vector>
 
-#include "program.h"
+#include "commands/program.h"
 #include "run_program.h"
 #include "support/files/assets.h"
 #include "support/files/picture_library.h"

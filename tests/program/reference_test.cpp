@@ -7,9 +7,9 @@
 #include <regex>
 #include <set>
 
-#include "packaging/reference_page.h"
+#include "commands/manual/reference_page.h"
+#include "commands/program.h"
 #include "pages.h"
-#include "program.h"
 #include "stimuli/definition/artifact.h"
 #include "stimuli/definition/interface_texts.h"
 #include "stimuli/definition/quantity.h"

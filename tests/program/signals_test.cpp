@@ -5,14 +5,14 @@
 #include <regex>
 #include <set>
 
-#include "program.h"
+#include "commands/options/command_help.h"
+#include "commands/program.h"
+#include "physics/rigid_world.h"
 #include "registration/calibration/aruco.h"
 #include "registration/calibration/opencv.h"
-#include "renderer/physics/rigid_world.h"
 #include "run_program.h"
 #include "running_program.h"
 #include "support/files/assets.h"
-#include "support/text/command_help.h"
 #include "tests/app/picture_set.h"
 
 namespace seamline {

@@ -1,4 +1,4 @@
-#include "renderer/set/pages/artists_map.h"
+#include "sets/pages/artists_map.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Rays that miss the boxes around virtual objects miss the objects.
-#include "renderer/tracing/bounding_boxes.h"
+#include "raytracer/tracing/bounding_boxes.h"
 
 #include <gtest/gtest.h>
 

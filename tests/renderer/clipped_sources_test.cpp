@@ -1,5 +1,5 @@
 // A panorama of codes shows a window as white, however bright it was: its surfaces say how bright at least.
-#include "renderer/composite/light/clipped_sources.h"
+#include "composites/light/clipped_sources.h"
 
 #include <gtest/gtest.h>
 

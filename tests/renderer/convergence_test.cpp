@@ -1,6 +1,6 @@
 // What error against run time rests on: the slope fit, the two renderings that the coupled one stands for,
 // and the rule for the mesh tolerance.
-#include "renderer/convergence/convergence_runs.h"
+#include "laboratory/convergence/convergence_runs.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include <limits>
 #include <utility>
 
-#include "renderer/convergence/convergence_light.h"
-#include "renderer/convergence/convergence_mesh.h"
-#include "renderer/convergence/convergence_slope.h"
+#include "laboratory/convergence/convergence_light.h"
+#include "laboratory/convergence/convergence_mesh.h"
+#include "laboratory/convergence/convergence_slope.h"
 #include "stimuli/study_file/study_file.h"
 
 namespace seamline::renderer {

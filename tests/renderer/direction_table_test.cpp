@@ -1,11 +1,11 @@
 // Rays from the panorama's centre find without search what Embree finds.
-#include "renderer/tracing/direction_table.h"
+#include "raytracer/tracing/direction_table.h"
 
 #include <gtest/gtest.h>
 
+#include "raytracer/tracing/geometry.h"
+#include "raytracer/tracing/triangle_neighbours.h"
 #include "renderer/depth/adaptive_mesh.h"
-#include "renderer/tracing/geometry.h"
-#include "renderer/tracing/triangle_neighbours.h"
 #include "tests/renderer/depth_mesh_laws.h"
 
 namespace seamline::renderer {

@@ -1,10 +1,10 @@
-#include "renderer/error/error_estimate.h"
+#include "raytracer/error/error_estimate.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "renderer/error/sampling_rounds.h"
+#include "raytracer/error/sampling_rounds.h"
 #include "renderer/picture/bounce_filter.h"
 #include "support/arithmetic/random.h"
 

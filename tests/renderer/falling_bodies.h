@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "renderer/physics/rigid_world.h"
+#include "physics/rigid_world.h"
 
 #define SKIP_WITHOUT_BULLET() \
   if (!renderer::has_physics()) GTEST_SKIP() << "Seamline was built without Bullet (libbullet-dev)"

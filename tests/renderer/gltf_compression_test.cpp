@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <string>
 
-#include "renderer/scene/gltf/draco_mesh.h"
-#include "renderer/scene/gltf/meshopt_view.h"
-#include "renderer/scene/scene_file.h"
+#include "raytracer/scene/gltf/draco_mesh.h"
+#include "raytracer/scene/gltf/meshopt_view.h"
+#include "raytracer/scene/scene_file.h"
 #include "support/files/atomic_file.h"
 #include "support/files/temporary_folder.h"
 #include "tests/complaint.h"

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <filesystem>
 
-#include "renderer/scene/scene_file.h"
+#include "raytracer/scene/scene_file.h"
 #include "support/files/atomic_file.h"
 #include "support/files/temporary_folder.h"
 #include "support/text/error.h"

@@ -5,10 +5,10 @@
 
 #include <filesystem>
 
-#include "renderer/scene/gltf/tangents.h"
-#include "renderer/scene/scene_file.h"
-#include "renderer/scene/truth_scene.h"
-#include "renderer/tracing/geometry.h"
+#include "raytracer/scene/gltf/tangents.h"
+#include "raytracer/scene/scene_file.h"
+#include "raytracer/scene/truth_scene.h"
+#include "raytracer/tracing/geometry.h"
 #include "support/files/atomic_file.h"
 #include "support/files/image.h"
 #include "support/files/temporary_folder.h"

@@ -1,7 +1,7 @@
 // Data URIs and names of files, as other people's programs write them.
 #include <gtest/gtest.h>
 
-#include "renderer/scene/gltf/gltf_uri.h"
+#include "raytracer/scene/gltf/gltf_uri.h"
 
 namespace seamline::renderer {
 namespace {

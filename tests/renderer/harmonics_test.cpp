@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "raytracer/tracing/geometry.h"
 #include "renderer/realtime/harmonics/occlusion_field.h"
-#include "renderer/tracing/geometry.h"
 #include "shapes.h"
 #include "support/arithmetic/random.h"
 

@@ -1,5 +1,5 @@
 // Through a window, other places see sky that the panorama's own place does not.
-#include "renderer/composite/light/hidden_sky.h"
+#include "composites/light/hidden_sky.h"
 
 #include <gtest/gtest.h>
 

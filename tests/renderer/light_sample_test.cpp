@@ -1,5 +1,5 @@
 // Laws of lamps, glowing surfaces and environment maps: what is sampled is what is there.
-#include "renderer/light/light_sample.h"
+#include "raytracer/light/light_sample.h"
 
 #include <gtest/gtest.h>
 

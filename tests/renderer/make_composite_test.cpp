@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "renderer/composite/composite_request.h"
-#include "renderer/composite/objects_file.h"
-#include "renderer/composite/seamless_width.h"
+#include "composites/composite_request.h"
+#include "composites/objects_file.h"
+#include "composites/seamless_width.h"
 #include "renderer/depth/depth_map.h"
 #include "sensors/frame/depth_frame.h"
 #include "support/files/assets.h"

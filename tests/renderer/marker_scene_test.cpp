@@ -1,5 +1,5 @@
 // The board of a marker as a scene file.
-#include "renderer/commands/marker_scene.h"
+#include "laboratory/figures/marker_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <numbers>
 
+#include "raytracer/scene/scene_file.h"
+#include "raytracer/scene/truth_scene.h"
+#include "raytracer/tracing/geometry.h"
 #include "registration/calibration/aruco.h"
-#include "renderer/scene/scene_file.h"
-#include "renderer/scene/truth_scene.h"
-#include "renderer/tracing/geometry.h"
 
 namespace seamline::renderer {
 namespace {

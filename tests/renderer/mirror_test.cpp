@@ -1,11 +1,11 @@
 // Question 6: what is mirrored in a glossy object, by the truth and by the depth mesh, in both estimators.
 #include <gtest/gtest.h>
 
+#include "raytracer/scene/visible_objects.h"
 #include "renderer/estimators/estimator.h"
 #include "renderer/estimators/fast/fast_truth_pass.h"
 #include "renderer/estimators/fast/scene_sums_bytes.h"
 #include "renderer/picture/composite.h"
-#include "renderer/scene/visible_objects.h"
 #include "shapes.h"
 #include "support/text/error.h"
 

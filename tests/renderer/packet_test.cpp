@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <random>
 
+#include "raytracer/light/light.h"
 #include "renderer/depth/capture.h"
-#include "renderer/light/light.h"
 #include "shapes.h"
 
 namespace seamline::renderer {

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/error/error_estimate.h"
+#include "raytracer/error/error_estimate.h"
+#include "raytracer/scene/panorama_camera.h"
+#include "raytracer/scene/truth_scene.h"
 #include "renderer/picture/bounce_filter.h"
 #include "renderer/picture/pocket_filter.h"
-#include "renderer/scene/panorama_camera.h"
-#include "renderer/scene/truth_scene.h"
 #include "stimuli/definition/looks/study_look.h"
 #include "support/arithmetic/random.h"
 

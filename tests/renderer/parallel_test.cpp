@@ -1,5 +1,5 @@
 // Work shared out, and what the calling thread keeps of it.
-#include "renderer/common/parallel.h"
+#include "raytracer/common/parallel.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // Laws of a composite onto a photograph: who hides, who shades, and what a given mask or matte answers.
-#include "renderer/composite/photo_composite.h"
+#include "composites/photo_composite.h"
 
 #include <gtest/gtest.h>
 
-#include "renderer/composite/fast_photo.h"
-#include "renderer/composite/photo_objects.h"
-#include "renderer/composite/seamless_width.h"
+#include "composites/fast_photo.h"
+#include "composites/photo_objects.h"
+#include "composites/seamless_width.h"
 #include "renderer/depth/capture.h"
 #include "renderer/depth/depth_mesh.h"
 #include "shapes.h"

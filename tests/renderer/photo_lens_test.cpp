@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "renderer/composite/photo_depth.h"
+#include "composites/photo_depth.h"
 #include "renderer/depth/depth_map.h"
 #include "support/files/atomic_file.h"
 #include "support/files/image.h"

@@ -1,17 +1,17 @@
 // A panorama that is light itself: what it gives, how it is sampled, and its sun apart.
-#include "renderer/composite/photo_light.h"
+#include "composites/photo_light.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "renderer/composite/fast_photo.h"
-#include "renderer/composite/photo_composite.h"
-#include "renderer/composite/photograph.h"
+#include "composites/fast_photo.h"
+#include "composites/photo_composite.h"
+#include "composites/photograph.h"
+#include "raytracer/light/light_sample.h"
 #include "renderer/depth/capture.h"
 #include "renderer/depth/depth_map.h"
 #include "renderer/depth/depth_mesh.h"
-#include "renderer/light/light_sample.h"
 #include "shapes.h"
 
 namespace seamline::renderer {

@@ -2,9 +2,9 @@
 // one, each with the error that it reports.
 #include <gtest/gtest.h>
 
-#include "renderer/composite/fast_photo.h"
-#include "renderer/composite/photo_composite.h"
-#include "renderer/composite/photograph.h"
+#include "composites/fast_photo.h"
+#include "composites/photo_composite.h"
+#include "composites/photograph.h"
 #include "renderer/depth/capture.h"
 #include "renderer/depth/depth_mesh.h"
 #include "shapes.h"

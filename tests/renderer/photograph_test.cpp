@@ -1,5 +1,5 @@
 // `read_photograph` on a file as a camera writes it.
-#include "renderer/composite/photograph.h"
+#include "composites/photograph.h"
 
 #include <gtest/gtest.h>
 

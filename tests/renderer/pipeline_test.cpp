@@ -5,7 +5,7 @@
 #include "renderer/estimators/realtime_methods.h"
 #include "renderer/picture/composite.h"
 #include "renderer/realtime/realtime_world.h"
-#include "renderer/set/stimulus_scene.h"
+#include "sets/stimulus_scene.h"
 #include "shapes.h"
 #include "stimuli/pictures/difference.h"
 #include "tests/complaint.h"

@@ -1,13 +1,13 @@
 // Triangles paired for the search tree stay the same surface.
-#include "renderer/tracing/quads.h"
+#include "raytracer/tracing/quads.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "raytracer/tracing/triangle_neighbours.h"
 #include "renderer/depth/adaptive_mesh.h"
 #include "renderer/depth/full_mesh.h"
-#include "renderer/tracing/triangle_neighbours.h"
 #include "tests/renderer/depth_mesh_laws.h"
 
 namespace seamline::renderer {

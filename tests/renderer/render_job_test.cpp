@@ -1,5 +1,5 @@
 // A render cut into elements: everything once, neighbours together, and as even as it can be.
-#include "renderer/cluster/render_job.h"
+#include "sets/cluster/render_job.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

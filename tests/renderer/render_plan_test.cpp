@@ -1,5 +1,5 @@
 // Every omission of the plan: the picture with it and without it differ by no more than the plan says.
-#include "renderer/set/render_plan.h"
+#include "sets/render_plan.h"
 #include "renderer/depth/depth_mesh.h"
 
 #include <gtest/gtest.h>

@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "falling_bodies.h"
-#include "renderer/scene/resting_object.h"
-#include "renderer/scene/truth_scene.h"
+#include "raytracer/scene/resting_object.h"
+#include "raytracer/scene/truth_scene.h"
 #include "support/files/assets.h"
 
 namespace seamline {

@@ -1,5 +1,5 @@
 // Laws of bodies that fall: where they rest, when they slide, that energy does not grow.
-#include "renderer/physics/rigid_world.h"
+#include "physics/rigid_world.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "renderer/common/sampler.h"
+#include "raytracer/common/sampler.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "renderer/light/light.h"
+#include "raytracer/light/light.h"
 
 namespace seamline::renderer {
 namespace {

@@ -1,4 +1,4 @@
-#include "renderer/material/scattering.h"
+#include "raytracer/material/scattering.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <limits>
 #include <vector>
 
-#include "renderer/light/light.h"
-#include "renderer/material/microfacets.h"
-#include "renderer/material/reflectance_table.h"
+#include "raytracer/light/light.h"
+#include "raytracer/material/microfacets.h"
+#include "raytracer/material/reflectance_table.h"
 #include "support/arithmetic/random.h"
 #include "tests/sensors/distributions.h"
 

@@ -1,4 +1,4 @@
-#include "renderer/scene/scene_file.h"
+#include "raytracer/scene/scene_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <fstream>
 #include <numbers>
 
-#include "renderer/scene/truth_scene.h"
+#include "raytracer/scene/truth_scene.h"
 #include "support/text/error.h"
 #include "tests/complaint.h"
 #include "tests/renderer/gltf_bytes.h"

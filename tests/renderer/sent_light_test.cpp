@@ -1,5 +1,5 @@
 // What the surfaces of a photographed panorama send to objects follows what these let them receive.
-#include "renderer/composite/light/sent_light.h"
+#include "composites/light/sent_light.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "renderer/set/sharing/set_claim.h"
+#include "sets/sharing/set_claim.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // A set says which of its pictures did not reach the error that was asked for.
-#include "renderer/set/set_errors.h"
+#include "sets/set_errors.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

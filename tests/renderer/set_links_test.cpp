@@ -2,9 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "renderer/set/pages/errors_page.h"
-#include "renderer/set/set_records.h"
-#include "renderer/set/true_error_set.h"
+#include "sets/pages/errors_page.h"
+#include "sets/set_records.h"
+#include "sets/true_error_set.h"
 #include "support/files/atomic_file.h"
 #include "support/files/hash.h"
 #include "support/files/temporary_folder.h"

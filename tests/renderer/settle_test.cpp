@@ -1,5 +1,5 @@
 // Objects that are let down, and what is refused.
-#include "renderer/physics/settle.h"
+#include "physics/settle.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "falling_bodies.h"
-#include "renderer/physics/body_shape.h"
-#include "renderer/scene/resting_object.h"
-#include "renderer/scene/truth_scene.h"
+#include "physics/body_shape.h"
+#include "raytracer/scene/resting_object.h"
+#include "raytracer/scene/truth_scene.h"
 #include "tests/complaint.h"
 
 namespace seamline {

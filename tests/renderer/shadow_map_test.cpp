@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "renderer/tracing/geometry.h"
+#include "raytracer/tracing/geometry.h"
 #include "shapes.h"
 
 namespace seamline::renderer {

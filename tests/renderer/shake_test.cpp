@@ -1,10 +1,10 @@
 // A body on depth frames: how much it shakes, and what makes it shake less.
-#include "renderer/settling/shake.h"
+#include "laboratory/settling/shake.h"
 
 #include <gtest/gtest.h>
 
 #include "falling_bodies.h"
-#include "renderer/settling/frame_ground.h"
+#include "laboratory/settling/frame_ground.h"
 #include "sensors/noise/measurement.h"
 #include "sensors/repair/planes.h"
 

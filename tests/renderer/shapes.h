@@ -1,8 +1,8 @@
 #pragma once
 #include <memory>
 
+#include "laboratory/stability/common/shapes.h"
 #include "renderer/estimators/path/path_truth_pass.h"
-#include "stability/common/shapes.h"
 
 /// Small shapes and scenes whose light is known by hand.
 namespace seamline::test {

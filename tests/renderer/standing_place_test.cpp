@@ -1,12 +1,12 @@
 // What a view says before anything is rendered: where something can stand, where the floor is.
-#include "renderer/composite/view/standing_place.h"
+#include "composites/view/standing_place.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <span>
 
-#include "renderer/composite/placing.h"
+#include "composites/placing.h"
 #include "renderer/depth/capture.h"
 #include "renderer/depth/depth_mesh.h"
 #include "shapes.h"

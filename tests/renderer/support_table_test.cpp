@@ -1,5 +1,5 @@
 // The farthest of some points, from a table, is the farthest of all.
-#include "renderer/physics/support_table.h"
+#include "physics/support_table.h"
 
 #include <gtest/gtest.h>
 

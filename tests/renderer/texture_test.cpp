@@ -1,4 +1,4 @@
-#include "renderer/material/texture.h"
+#include "raytracer/material/texture.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/material/material.h"
-#include "renderer/material/reflectance_table.h"
+#include "raytracer/material/material.h"
+#include "raytracer/material/reflectance_table.h"
 #include "support/files/atomic_file.h"
 #include "support/files/image.h"
 #include "support/files/temporary_folder.h"

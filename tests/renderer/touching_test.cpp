@@ -1,13 +1,13 @@
 // What a body touches: few places, out to its corners, whatever the order in which the ground was asked.
-#include "renderer/physics/touching.h"
+#include "physics/touching.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "falling_bodies.h"
-#include "renderer/physics/ground_edges.h"
-#include "renderer/physics/solid.h"
+#include "physics/ground_edges.h"
+#include "physics/solid.h"
 
 namespace seamline {
 namespace {

@@ -1,11 +1,11 @@
 // A planted error comes back whatever the reference's own noise.
-#include "renderer/error/true_error.h"
+#include "raytracer/error/true_error.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "renderer/error/error_estimate.h"
+#include "raytracer/error/error_estimate.h"
 #include "support/arithmetic/random.h"
 
 namespace seamline::renderer {

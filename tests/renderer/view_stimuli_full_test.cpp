@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "raytracer/scene/eyes.h"
 #include "renderer/estimators/estimator.h"
 #include "renderer/picture/composite.h"
-#include "renderer/scene/eyes.h"
-#include "renderer/set/stimulus_scene.h"
+#include "sets/stimulus_scene.h"
 #include "shapes.h"
 #include "stimuli/pictures/difference.h"
 

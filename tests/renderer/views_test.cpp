@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "renderer/scene/eyes.h"
+#include "raytracer/scene/eyes.h"
 #include "renderer/views/anaglyph.h"
 #include "renderer/views/depth_image.h"
 #include "renderer/views/lens_sheet.h"

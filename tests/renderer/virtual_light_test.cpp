@@ -5,8 +5,8 @@
 #include <numbers>
 #include <span>
 
-#include "renderer/composite/fast_photo.h"
-#include "renderer/composite/photo_composite.h"
+#include "composites/fast_photo.h"
+#include "composites/photo_composite.h"
 #include "renderer/depth/capture.h"
 #include "renderer/depth/depth_mesh.h"
 #include "shapes.h"

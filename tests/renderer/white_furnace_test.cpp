@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/light/light_sample.h"
-#include "renderer/material/reflectance_table.h"
+#include "raytracer/light/light_sample.h"
+#include "raytracer/material/reflectance_table.h"
 
 namespace seamline::renderer {
 namespace {

@@ -5,11 +5,11 @@
 
 #include <cmath>
 
-#include "renderer/x3d/x3d_frame.h"
-#include "renderer/x3d/x3d_openness.h"
-#include "renderer/x3d/x3d_page.h"
-#include "renderer/x3d/x3d_text.h"
 #include "support/text/numbers.h"
+#include "x3d/x3d_frame.h"
+#include "x3d/x3d_openness.h"
+#include "x3d/x3d_page.h"
+#include "x3d/x3d_text.h"
 
 namespace seamline::renderer {
 namespace {
@@ -100,7 +100,7 @@ TEST(X3dPage, IsTheSameTwiceAndAsksForNothingOutside) {
   const auto openness = x3d_openness(subject, 1);
   const X3dPage page{
       .subject = subject, .frame = frame, .photograph = photograph, .openness = openness, .sun = &*sun};
-  const std::filesystem::path folder = std::filesystem::path(SEAMLINE_SOURCE_DIR) / "renderer/x3d/page";
+  const std::filesystem::path folder = std::filesystem::path(SEAMLINE_SOURCE_DIR) / "x3d/page";
   const std::string text = x3d_page_text(page, folder);
   EXPECT_EQ(text, x3d_page_text(page, folder));
   EXPECT_THAT(text, HasSubstr("<h1>&lt;post&gt;</h1>"));

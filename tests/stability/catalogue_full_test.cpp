@@ -1,9 +1,9 @@
 // The whole catalogue, as `seamline lab stability` runs it.
 #include <gtest/gtest.h>
 
-#include "renderer/common/parallel.h"
-#include "stability/catalogue.h"
-#include "stability/run_cases.h"
+#include "laboratory/stability/catalogue.h"
+#include "laboratory/stability/run_cases.h"
+#include "raytracer/common/parallel.h"
 
 namespace seamline::stability {
 using namespace renderer;

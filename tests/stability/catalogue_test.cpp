@@ -1,4 +1,4 @@
-#include "stability/catalogue.h"
+#include "laboratory/stability/catalogue.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <set>
 #include <stdexcept>
 
-#include "stability/convergence_cases.h"
-#include "stability/run_cases.h"
+#include "laboratory/stability/convergence_cases.h"
+#include "laboratory/stability/run_cases.h"
 #include "support/text/error.h"
 
 namespace seamline::stability {

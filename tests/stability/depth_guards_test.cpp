@@ -3,10 +3,10 @@
 
 #include <limits>
 
+#include "laboratory/stability/depth/bound_cases.h"
+#include "laboratory/stability/depth/depth_size_cases.h"
+#include "laboratory/stability/depth/depth_value_cases.h"
 #include "renderer/depth/full_mesh.h"
-#include "stability/depth/bound_cases.h"
-#include "stability/depth/depth_size_cases.h"
-#include "stability/depth/depth_value_cases.h"
 #include "support/files/image.h"
 
 namespace seamline::stability {

@@ -1,10 +1,10 @@
 // Each guard that keeps light and space stable is taken away, and the case that watches it must fail.
 #include <gtest/gtest.h>
 
-#include "stability/depth/contact_cases.h"
-#include "stability/light/pocket_cases.h"
-#include "stability/light/ratio_cases.h"
-#include "stability/light/space_scale_cases.h"
+#include "laboratory/stability/depth/contact_cases.h"
+#include "laboratory/stability/light/pocket_cases.h"
+#include "laboratory/stability/light/ratio_cases.h"
+#include "laboratory/stability/light/space_scale_cases.h"
 
 namespace seamline::stability {
 namespace {

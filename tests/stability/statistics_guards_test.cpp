@@ -7,9 +7,9 @@
 #include "analysis/ordinal/likelihood/fixed_likelihood.h"
 #include "analysis/ordinal/likelihood/newton.h"
 #include "analysis/psychometric/intervals/goodness.h"
-#include "stability/statistics/interval_cases.h"
-#include "stability/statistics/quest_plus_cases.h"
-#include "stability/statistics/rating_cases.h"
+#include "laboratory/stability/statistics/interval_cases.h"
+#include "laboratory/stability/statistics/quest_plus_cases.h"
+#include "laboratory/stability/statistics/rating_cases.h"
 
 namespace seamline::stability {
 using namespace analysis;

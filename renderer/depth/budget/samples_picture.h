@@ -1,6 +1,6 @@
 #pragma once
-#include "renderer/scene/camera.h"
-#include "renderer/tracing/mesh.h"
+#include "raytracer/scene/camera.h"
+#include "raytracer/tracing/mesh.h"
 #include "support/files/image.h"
 
 namespace seamline::renderer {

@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "renderer/light/light.h"
-#include "renderer/scene/camera.h"
-#include "renderer/tracing/geometry.h"
+#include "raytracer/light/light.h"
+#include "raytracer/scene/camera.h"
+#include "raytracer/tracing/geometry.h"
 
 namespace seamline::renderer {
 

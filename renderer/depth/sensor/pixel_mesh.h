@@ -1,8 +1,8 @@
 #pragma once
 #include <optional>
 
+#include "raytracer/tracing/mesh.h"
 #include "renderer/depth/sensor/pixel_grid.h"
-#include "renderer/tracing/mesh.h"
 #include "stimuli/definition/study_definition.h"
 
 namespace seamline::renderer {

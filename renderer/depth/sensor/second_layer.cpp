@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "renderer/common/parallel.h"
+#include "raytracer/common/parallel.h"
 #include "renderer/depth/sensor/pixel_mesh.h"
 
 namespace seamline::renderer {

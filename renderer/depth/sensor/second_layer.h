@@ -1,7 +1,7 @@
 #pragma once
+#include "raytracer/tracing/geometry.h"
+#include "raytracer/tracing/mesh.h"
 #include "renderer/depth/sensor/pixel_grid.h"
-#include "renderer/tracing/geometry.h"
-#include "renderer/tracing/mesh.h"
 
 namespace seamline::renderer {
 

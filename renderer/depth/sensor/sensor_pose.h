@@ -1,7 +1,7 @@
 #pragma once
 #include <Eigen/Geometry>
 
-#include "renderer/scene/camera.h"
+#include "raytracer/scene/camera.h"
 #include "stimuli/definition/depth_chain.h"
 
 namespace seamline::renderer {

@@ -1,10 +1,10 @@
 #pragma once
 #include <vector>
 
+#include "raytracer/scene/camera.h"
+#include "raytracer/tracing/mesh.h"
 #include "renderer/depth/sensor/pixel_grid.h"
 #include "renderer/depth/sensor/sensor_view.h"
-#include "renderer/scene/camera.h"
-#include "renderer/tracing/mesh.h"
 #include "stimuli/definition/study_definition.h"
 #include "stimuli/set/manifest.h"
 

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "renderer/common/parallel.h"
+#include "raytracer/common/parallel.h"
 
 namespace seamline::renderer {
 namespace {

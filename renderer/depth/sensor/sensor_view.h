@@ -2,7 +2,7 @@
 #include <Eigen/Geometry>
 #include <optional>
 
-#include "renderer/tracing/geometry.h"
+#include "raytracer/tracing/geometry.h"
 #include "sensors/noise/measurement.h"
 #include "support/files/image.h"
 

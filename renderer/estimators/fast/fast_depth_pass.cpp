@@ -1,10 +1,10 @@
 #include "renderer/estimators/fast/fast_depth_pass.h"
-#include "renderer/scene/panorama_camera.h"
+#include "raytracer/scene/panorama_camera.h"
 
 #include <algorithm>
 #include <mutex>
 
-#include "renderer/common/parallel.h"
+#include "raytracer/common/parallel.h"
 
 namespace seamline::renderer {
 namespace {

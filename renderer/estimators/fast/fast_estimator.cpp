@@ -2,7 +2,7 @@
 // only where and as often as the picture needs it.
 #include <tuple>
 
-#include "renderer/error/error_estimate.h"
+#include "raytracer/error/error_estimate.h"
 #include "renderer/estimators/estimator.h"
 #include "renderer/estimators/fast/fast_stimulus.h"
 #include "renderer/estimators/fast/fast_truth_pass.h"

@@ -1,8 +1,8 @@
 #pragma once
 #include <optional>
 
-#include "renderer/error/samples_taken.h"
-#include "renderer/error/sampling_rounds.h"
+#include "raytracer/error/samples_taken.h"
+#include "raytracer/error/sampling_rounds.h"
 #include "renderer/estimators/estimator_choices.h"
 #include "renderer/estimators/fast/fast_depth_pass.h"
 #include "renderer/estimators/fast/object_truth.h"

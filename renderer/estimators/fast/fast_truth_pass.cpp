@@ -1,11 +1,11 @@
 #include "renderer/estimators/fast/fast_truth_pass.h"
-#include "renderer/scene/panorama_camera.h"
+#include "raytracer/scene/panorama_camera.h"
 
 #include <mutex>
 
-#include "renderer/common/parallel.h"
+#include "raytracer/common/parallel.h"
+#include "raytracer/scene/camera.h"
 #include "renderer/estimators/seen_emission.h"
-#include "renderer/scene/camera.h"
 #include "renderer/transport/path_batch.h"
 
 namespace seamline::renderer {

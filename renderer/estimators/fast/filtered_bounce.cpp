@@ -4,7 +4,7 @@
 #include <cassert>
 #include <limits>
 
-#include "renderer/common/parallel.h"
+#include "raytracer/common/parallel.h"
 
 namespace seamline::renderer {
 namespace {

@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-#include "renderer/error/sampling_rounds.h"
+#include "raytracer/error/sampling_rounds.h"
 #include "renderer/estimators/estimator_choices.h"
 
 namespace seamline::renderer {

@@ -1,6 +1,6 @@
 #include "renderer/estimators/fast/object_noise.h"
 
-#include "renderer/common/parallel.h"
+#include "raytracer/common/parallel.h"
 
 namespace seamline::renderer {
 

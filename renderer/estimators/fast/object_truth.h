@@ -1,5 +1,5 @@
 #pragma once
-#include "renderer/error/error_estimate.h"
+#include "raytracer/error/error_estimate.h"
 #include "renderer/picture/pixel_sums.h"
 #include "renderer/picture/scene_sums.h"
 #include "renderer/transport/scene_geometry.h"

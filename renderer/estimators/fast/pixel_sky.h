@@ -1,6 +1,6 @@
 #pragma once
-#include "renderer/light/light.h"
-#include "renderer/scene/camera.h"
+#include "raytracer/light/light.h"
+#include "raytracer/scene/camera.h"
 
 namespace seamline::renderer {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "renderer/common/byte_stream.h"
+#include "raytracer/common/byte_stream.h"
 #include "renderer/picture/scene_sums.h"
 
 namespace seamline::renderer {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "renderer/common/parallel.h"
+#include "raytracer/common/parallel.h"
 #include "renderer/estimators/fast/filtered_bounce.h"
 #include "renderer/estimators/fast/pixel_sky.h"
 

@@ -1,6 +1,6 @@
 #include "renderer/estimators/fast/truth_sums.h"
 
-#include "renderer/common/parallel.h"
+#include "raytracer/common/parallel.h"
 #include "renderer/estimators/fast/pixel_sky.h"
 
 namespace seamline::renderer {

@@ -1,5 +1,5 @@
 #pragma once
-#include "renderer/light/light.h"
+#include "raytracer/light/light.h"
 #include "renderer/picture/bounce_filter.h"
 #include "renderer/picture/pixel_sums.h"
 #include "renderer/picture/scene_sums.h"

@@ -1,10 +1,10 @@
 #include "renderer/estimators/path/path_depth_pass.h"
-#include "renderer/scene/panorama_camera.h"
+#include "raytracer/scene/panorama_camera.h"
 
 #include <atomic>
 #include <cassert>
 
-#include "renderer/common/parallel.h"
+#include "raytracer/common/parallel.h"
 #include "renderer/estimators/path/path_emission.h"
 #include "renderer/estimators/stimulus_sampler.h"
 #include "support/running/interrupt.h"

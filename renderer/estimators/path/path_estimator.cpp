@@ -1,10 +1,10 @@
 // The unbiased estimator: every path traced to its end, nothing filtered.
-#include "renderer/error/error_estimate.h"
-#include "renderer/error/sampling_rounds.h"
+#include "raytracer/error/error_estimate.h"
+#include "raytracer/error/sampling_rounds.h"
+#include "raytracer/scene/panorama_camera.h"
 #include "renderer/estimators/estimator.h"
 #include "renderer/estimators/path/path_emission.h"
 #include "renderer/estimators/seen_emission.h"
-#include "renderer/scene/panorama_camera.h"
 
 namespace seamline::renderer {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <atomic>
 
-#include "renderer/common/parallel.h"
+#include "raytracer/common/parallel.h"
 #include "renderer/estimators/path/path_emission.h"
 #include "renderer/estimators/seen_emission.h"
 #include "support/running/interrupt.h"

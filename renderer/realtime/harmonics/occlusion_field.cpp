@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/common/parallel.h"
+#include "raytracer/common/parallel.h"
 #include "renderer/realtime/harmonics/spherical_harmonics.h"
 
 namespace seamline::renderer {

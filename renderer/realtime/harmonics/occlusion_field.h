@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "raytracer/tracing/ray.h"
 #include "renderer/realtime/harmonics/triple_products.h"
-#include "renderer/tracing/ray.h"
 
 namespace seamline::renderer {
 

@@ -1,0 +1,127 @@
+#include "commands/depth_cameras/record_command.h"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <filesystem>
+#include <memory>
+
+#include "live/recording/make_recording.h"
+#include "raytracer/common/parallel.h"
+#include "support/files/assets.h"
+#include "support/text/error.h"
+#include "support/text/number_option.h"
+
+namespace seamline::live {
+namespace {
+
+using Coordinates = std::array<double, 3>;
+
+struct RecordOptions {
+  std::string scene, preset, out, path = "orbit";
+  Coordinates at_m{}, look_at_m{0, 0, -1}, environment{1, 1, 1};
+  bool has_place = false, angle_given = false, distance_given = false, no_poses = false;
+  double noise_scale = 1;
+  int spp = 16, bounces = 2;
+  std::uint64_t seed = 1;
+  MakeOptions make;
+};
+
+Eigen::Vector3d point_of(const Coordinates& v) {
+  return {v[0], v[1], v[2]};
+}
+
+PathKind path_of(const std::string& text) {
+  for (int i = 0; i < path_kind_count; ++i)
+    if (text == word(static_cast<PathKind>(i))) return static_cast<PathKind>(i);
+  return PathKind::orbit;
+}
+
+/// An option that would be ignored is refused.
+void check(const RecordOptions& options) {
+  const auto refuse = [&](const char* option, const char* wanted) {
+    throw input_error({.field = option, .wanted = wanted, .found = "--path " + options.path});
+  };
+  if (options.angle_given && options.path != "orbit") refuse("--angle", "--path orbit beside it");
+  if (options.distance_given && options.path != "sweep" && options.path != "approach")
+    refuse("--distance", "--path sweep or approach beside it");
+}
+
+void run_record(RecordOptions options) {
+  check(options);
+  const sensors::Rig& rig = renderer::preset_rig(options.preset, "--preset");
+  const renderer::SceneFile file = renderer::read_scene_file(resolve_named_file(options.scene, "SCENE"));
+  SceneDefinition definition;
+  definition.name = "record";
+  definition.environment_radiance = options.environment;
+  definition.bounces = options.bounces;
+  if (options.has_place) {
+    definition.camera = CameraDefinition{point_of(options.at_m), point_of(options.look_at_m)};
+    options.make.orbit_m = point_of(options.look_at_m);
+  }
+  options.make.path.kind = path_of(options.path);
+  options.make.keeps_poses = !options.no_poses;
+  const std::uint64_t seed = options.seed;
+  options.make.sense = {.key = {.seed = seed, .frame = 0},
+                        .noise_scale = options.noise_scale,
+                        .photograph = {.spp = options.spp, .seed = seed, .threads = default_thread_count()}};
+  const Recording recording =
+      make_recording(file, definition, rig, options.preset, options.make, options.out);
+  fmt::print("{}: {} frames, depth {} x {}, colour {} x {}\n", options.out, recording.frames.size(),
+             rig.depth.width_px, rig.depth.height_px, rig.colour.width_px, rig.colour.height_px);
+}
+
+}  // namespace
+
+void add_record_command(CLI::App& app) {
+  auto options = std::make_shared<RecordOptions>();
+  CLI::App* command =
+      app.add_subcommand("record", "depth and colour of a scene as a rig of cameras records them");
+  command->add_option("scene", options->scene, ".glb, .gltf or builtin:NAME")->required();
+  command->add_option("--preset", options->preset, "preset of a rig (documentation/how-to/sensors.md)")
+      ->required();
+  command->add_option("--out", options->out, "folder to write; made when missing")->required();
+  add_number(*command, "--frames", options->make.frames, {1, static_cast<double>(most_recorded_frames)},
+             "how many moments")
+      ->capture_default_str();
+  add_number(*command, "--rate", options->make.frames_per_s, {0.001, 1000}, "frames per second")
+      ->capture_default_str();
+  command->add_option("--path", options->path, "how the camera moves")
+      ->check(CLI::IsMember({"still", "orbit", "sweep", "approach"}))
+      ->capture_default_str();
+  CLI::Option* angle = add_number(*command, "--angle", options->make.path.angle_deg, {-360, 360, "degrees"},
+                                  "of an orbit, from the first frame to the last")
+                           ->capture_default_str();
+  CLI::Option* distance = add_number(*command, "--distance", options->make.path.distance_m, any_place_m,
+                                     "of a sweep or an approach")
+                              ->capture_default_str();
+  command->add_flag("--without-poses", options->no_poses, "leave out of the index where the camera stood");
+  CLI::Option* at = add_number(*command, "--at", options->at_m, any_place_m,
+                               "the colour camera's first place (default: the scene's camera)");
+  CLI::Option* look_at = add_number(*command, "--look-at", options->look_at_m, any_place_m,
+                                    "the point it looks at, and orbits about");
+  at->needs(look_at);
+  look_at->needs(at);
+  add_number(*command, "--noise", options->noise_scale, {0, 1e6},
+             "scale of the sensor's noise; 0: none, its holes stay")
+      ->capture_default_str();
+  add_number(*command, "--seed", options->seed, any_seed, "seed of noise and samples")->capture_default_str();
+  add_number(*command, "--environment", options->environment, {0, limits::strongest_light, "W/m2/sr"},
+             "environment radiance R G B of the photographs")
+      ->capture_default_str();
+  add_number(*command, "--bounces", options->bounces, {0, 1024}, "further diffuse scatterings")
+      ->capture_default_str();
+  add_number(*command, "--spp", options->spp, {1, 65536}, "samples per pixel of the photographs")
+      ->capture_default_str();
+  add_number(*command, "--exposure", options->make.exposure_ev, {-60, 60, "stops"}, "of the photographs")
+      ->capture_default_str();
+  command->callback([options, at, angle, distance] {
+    options->has_place = at->count() > 0;
+    options->angle_given = angle->count() > 0;
+    options->distance_given = distance->count() > 0;
+    run_record(*options);
+  });
+}
+
+}  // namespace seamline::live

@@ -1,0 +1,91 @@
+#include "commands/planning/predict_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/report/text/threshold_text.h"
+#include "analysis/thresholds/paper_values.h"
+#include "support/files/markdown_table.h"
+
+namespace seamline::analysis {
+namespace {
+
+CsvTable threshold_table(const Prediction& prediction) {
+  CsvTable table{.name = "prediction",
+                 .columns = {{"artifact", "", ""},
+                             {"quantity", "", ""},
+                             {"predicted", "px", ""},
+                             {"paper", "px", ""},
+                             {"predicted / paper", "octaves", ""}},
+                 .rows = {}};
+  const auto add = [&](Artifact artifact, const char* quantity, const ThresholdEstimate& estimate,
+                       std::optional<int> paper_px) {
+    std::vector<CsvValue> row{std::string(artifact_title(artifact)), std::string(quantity)};
+    if (estimate.level_x)
+      row.emplace_back(fmt::format("{:.0f}", std::exp2(*estimate.level_x)));
+    else
+      row.emplace_back(estimate.reason);
+    row.emplace_back(paper_px ? CsvValue(std::int64_t{*paper_px}) : CsvValue());
+    const bool both = estimate.level_x && paper_px;
+    row.emplace_back(both ? CsvValue(fmt::format("{:+.2f}", *estimate.level_x - std::log2(*paper_px)))
+                          : CsvValue());
+    table.rows.push_back(row);
+  };
+  for (const PredictedArtifact& predicted : prediction.artifacts) {
+    const PaperThresholds paper = paper_thresholds(predicted.artifact).value_or(PaperThresholds{});
+    add(predicted.artifact, "PT", predicted.thresholds.perceptual, paper.perceptual_px);
+    add(predicted.artifact, "SN", predicted.thresholds.slightly_noticeable, paper.slightly_noticeable_px);
+    add(predicted.artifact, "IP", predicted.thresholds.inflection, paper.inflection_px);
+  }
+  return table;
+}
+
+CsvTable cell_table(const Prediction& prediction) {
+  CsvTable table{.name = "cells", .columns = {{"artifact", "", ""}}, .rows = {}};
+  for (const PredictedCell& cell : prediction.artifacts.front().cells)
+    table.columns.push_back({std::to_string(cell.width_px), "px", ""});
+  for (const PredictedArtifact& predicted : prediction.artifacts) {
+    std::vector<CsvValue> row{std::string(word(predicted.artifact))};
+    for (const PredictedCell& cell : predicted.cells)
+      row.emplace_back(fmt::format("{:.3f} → {:.2f}", cell.visible_difference, cell.expected_noticeability));
+    row.resize(table.columns.size());
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
+/// The four artifacts of the paper by its Table 1: a dash of PT is above every width, a dash of SN below.
+constexpr const char* paper_order = "overlap, occlusion, receiver, shadow";
+
+std::string joined(const std::vector<Artifact>& artifacts) {
+  std::string text;
+  for (const Artifact artifact : artifacts) text += (text.empty() ? "" : ", ") + std::string(word(artifact));
+  return text;
+}
+
+}  // namespace
+
+std::string prediction_text(const Prediction& prediction) {
+  std::string text = "Predicted from the pictures alone; nobody was asked.\n\n";
+  text += markdown_table(threshold_table(prediction)) + "\n";
+  text += "Visible difference → expected noticeability (0 to 4), mean over objects:\n\n";
+  text += markdown_table(cell_table(prediction)) + "\n";
+  text += fmt::format("Most to least demanding: {}; in the paper: {}.\n",
+                      joined(demanding_order(prediction.artifacts)), paper_order);
+  text += fmt::format(
+      "FLIP at {:g} pixels per degree, pooled with exponent {:g}; gain {:.6g} (seen half of the time: "
+      "{:.4g}).\n",
+      prediction.observer.pixels_per_degree, pooling_exponent, prediction.observer.image_gain.value(),
+      1 / prediction.observer.image_gain.value());
+  if (prediction.calibrated)
+    text += "The gain was fixed so that the receiver's PT is the paper's: that number is no prediction.\n";
+  text += prediction.floor_known
+              ? fmt::format("Floor: the difference of stimuli without a seam (none), at most {:.4g}.\n",
+                            prediction.highest_floor)
+              : "Floor: 0, because there are no stimuli without a seam (none) to measure it on.\n";
+  return text;
+}
+
+}  // namespace seamline::analysis

@@ -1,0 +1,107 @@
+#include "composites/fast_photo.h"
+
+#include "composites/photo_objects.h"
+#include "renderer/estimators/fast/fast_stimulus.h"
+#include "renderer/estimators/fast/fast_truth_pass.h"
+
+namespace seamline::renderer {
+namespace {
+
+constexpr int coverage_spp = 64;  // of who covers what, which costs two rays a sample
+
+TruthScene scene_of(const PhotoScene& photo, const PhotoMeshes& meshes, double exposure_ev,
+                    const Light& light) {
+  TruthScene scene;
+  scene.definition.exposure_ev = exposure_ev;
+  scene.definition.albedo = double{meshes.local_scene->albedo.maxCoeff()};
+  scene.camera = photo.camera;
+  scene.light = light;
+  scene.background = {meshes.local_scene};
+  scene.objects[photo_object_index - 1] = meshes.objects;
+  return scene;
+}
+
+/// Who covers what, without any light. `occlusion`: decides who is in front; null: who is nearer.
+SceneSums coverage(const TruthScene& scene, const OcclusionTest* occlusion, int spp,
+                   const PassOptions& options) {
+  TruthScene dark = scene;
+  dark.light = {.bounces = 0, .skips_sky = true};
+  SceneSums sums = empty_sums(scene.camera);
+  add_samples(dark, SceneGeometry(dark), std::vector<int>(sums.spp.size(), spp),
+              {.seed = options.seed, .threads = options.threads, .occlusion = occlusion}, sums);
+  return sums;
+}
+
+/// The truth's sums of that, with the photograph's light.
+TruthSums photographed_truth(const PhotoScene& photo, const TruthScene& scene, const SceneSums& sums,
+                             int threads) {
+  TruthSums truth = truth_sums(sums, scene.camera, {.skips_sky = true}, photo_object_index,
+                               {.filter = no_filter, .threads = threads});
+  for (auto& half : truth.halves)
+    for (int y = 0; y < truth.height_px; ++y)
+      for (int x = 0; x < truth.width_px; ++x) {
+        TruthPixel& pixel = half[truth.index(x, y)];
+        const Rgb seen = photo.photograph.rgb(x, y);
+        const float samples = 0.5F * static_cast<float>(truth.spp);
+        pixel.without_object = {.direct = seen * pixel.uncovered_surfaces};
+        pixel.with_object = pixel.without_object;
+        pixel.sky = seen * std::max(0.0F, samples - pixel.covered - pixel.uncovered_surfaces);
+      }
+  return truth;
+}
+
+}  // namespace
+
+std::shared_ptr<const SurfaceMesh> surface_of_depth(const DepthMesh& mesh, double albedo) {
+  auto surface = std::make_shared<SurfaceMesh>();
+  surface->name = "local scene";
+  surface->positions_m = mesh.vertices_m;
+  surface->triangles = mesh.triangles;
+  surface->albedo = Rgb::Constant(static_cast<float>(albedo));
+  return surface;
+}
+
+bool fast_can_render(const PhotoScene& scene) {
+  if (scene.occlusion.nothing_hides || !scene.shadows || scene.added != nullptr) return false;
+  const Camera& camera = scene.camera;
+  if (!camera.directions) return true;
+  const auto right = static_cast<float>(camera.width_px), lower = static_cast<float>(camera.height_px);
+  for (const auto& [x, y] : {std::pair{0.0F, 0.0F}, {right, 0.0F}, {0.0F, lower}, {right, lower}})
+    if (camera.direction(x, y).isZero()) return false;
+  return true;
+}
+
+PhotoEstimate photo_by_fast(const PhotoScene& photo, const PhotoMeshes& meshes,
+                            const std::optional<double>& error, double exposure_ev,
+                            const PassOptions& options) {
+  const int spp = error ? coverage_spp : std::max(2, options.spp / 2 * 2);
+  TruthScene scene = scene_of(photo, meshes, exposure_ev, photo.light);
+  EstimatorChoices choices = estimator_choices(
+      Estimator::fast, light_facts(scene), exposure_ev,
+      {.spp = spp, .error = error, .seed = options.seed, .threads = options.threads, .depth_bounces = true});
+  // Coverage is no photograph that bounds what a picture can need.
+  if (error) choices.most_times_photograph_spp = choices.most_spp / coverage_spp;
+  scene = with_chosen_light(std::move(scene), choices);
+  const ObjectGeometry geometry = object_geometry(scene, photo_object_index);
+  const OcclusionTest* test = photo.occlusion.test;
+  const SceneSums sums = coverage(scene, test, spp, options);
+  const TruthSums truth = photographed_truth(photo, scene, sums, options.threads);
+  ErrorEstimate no_error;
+  no_error.tiles.resize(static_cast<std::size_t>(sums.grid.count()));
+  no_error.blocks.resize(static_cast<std::size_t>(sums.blocks().count()));
+  const ObjectTruth object{scene, sums, geometry, photo_object_index, truth, no_error, true};
+  Recipe recipe = renderer::recipe(Artifact::all, Isolation::query);
+  if (test == nullptr) recipe.answers.occlusion = Who::truth;  // it is the same mesh
+  const ShadowMatte matte{.of_all_suns = photo.shadow_matte};
+  const DepthWorld world(&photo.depth, test, photo.shadow_matte != nullptr ? &matte : nullptr);
+  FastStimulus made =
+      render_fast_stimulus(object, world, recipe, choices,
+                           {.seed = options.seed,
+                            .threads = options.threads,
+                            .target = error ? std::optional(ErrorTarget{*error}) : std::nullopt,
+                            .filter = choices.filters.size() > 1 ? choices.filters[1] : no_filter,
+                            .progress = options.progress});
+  return {{std::move(made.sums)}, std::move(made.error), made.taken};
+}
+
+}  // namespace seamline::renderer

@@ -1,0 +1,183 @@
+#include "composites/seamless_width.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "raytracer/light/light_sample.h"
+#include "support/files/atomic_file.h"
+#include "support/text/error.h"
+#include "support/text/text_bounds.h"
+
+namespace seamline::renderer {
+namespace {
+
+constexpr double least_hidden_share = 0.005;  // less is the objects' own foot on the floor
+constexpr int smallest_width_px = 64;         // of the paper's panoramas
+
+InputError no_thresholds(const std::filesystem::path& path, const std::string& field,
+                         const std::string& wanted, const std::string& found) {
+  return input_error({.file = path.string(), .field = field, .wanted = wanted, .found = found});
+}
+
+/// A width, the smallest tested where every one suffices, or none.
+std::optional<double> threshold_at(const nlohmann::json& artifact, const char* key) {
+  const auto found = artifact.find(key);
+  if (found == artifact.end() || !found->is_object()) return std::nullopt;
+  if (const auto estimate = found->find("estimate"); estimate != found->end() && estimate->is_number())
+    return estimate->get<double>();
+  const auto reason = found->find("reason");
+  if (reason == found->end() || !reason->is_string() || !reason->get<std::string>().starts_with("below"))
+    return std::nullopt;
+  const auto curve = artifact.find("curve");
+  if (curve == artifact.end() || !curve->is_array() || curve->empty()) return std::nullopt;
+  const auto width = curve->front().find("width_px");
+  return width != curve->front().end() && width->is_number() ? std::optional(width->get<double>())
+                                                             : std::nullopt;
+}
+
+void require_condition(const nlohmann::json& json, const std::filesystem::path& path,
+                       const std::string& condition) {
+  std::string names;
+  if (const auto found = json.find("conditions"); found != json.end() && found->is_array())
+    for (const nlohmann::json& name : *found) {
+      if (!name.is_string()) continue;
+      if (name.get<std::string>() == condition) return;
+      names += (names.empty() ? "" : ", ") + name.get<std::string>();
+    }
+  if (names.empty() && condition.empty()) return;
+  throw no_thresholds(path, "--condition",
+                      names.empty() ? "none: the study has no conditions" : "one of " + names,
+                      condition.empty() ? "none" : "\"" + condition + "\"");
+}
+
+std::optional<Artifact> artifact_named(const std::string& name) {
+  for (const Artifact artifact :
+       {Artifact::receiver, Artifact::shadow, Artifact::occlusion, Artifact::overlap})
+    if (word(artifact) == name) return artifact;
+  return std::nullopt;
+}
+
+/// Asks what suns and lamps do at a point: past the objects, and past real things.
+struct Shades {
+  const PhotoScene& scene;
+
+  template <class Take>
+  void each_light(const SurfacePoint& point, const Take& take) const {
+    const auto ask = [&](const Eigen::Vector3f& direction, float far_m) {
+      if (!above_horizon(point, direction)) return;
+      const Ray ray = leaving_ray(point, direction, far_m);
+      take(scene.objects.occluded(ray), scene.depth.occluded(ray));
+    };
+    for (const Sun& sun : scene.light.suns) ask(sun.to_sun, endless);
+    for (const Lamp& lamp : scene.light.lamps) {
+      const Eigen::Vector3f to_lamp = lamp.position_m - point.position_m;
+      if (to_lamp.norm() > 0) ask(to_lamp.normalized(), to_lamp.norm() * 0.9999F);
+    }
+  }
+};
+
+}  // namespace
+
+std::vector<SeamThresholds> paper_thresholds() {
+  return {{Artifact::receiver, 426, 116},
+          {Artifact::shadow, 206, std::nullopt},
+          {Artifact::occlusion, std::nullopt, 1126},
+          {Artifact::overlap, std::nullopt, 1596}};
+}
+
+std::vector<SeamThresholds> read_thresholds(const std::filesystem::path& path, const std::string& condition) {
+  if (!std::filesystem::is_regular_file(path))
+    throw no_thresholds(path, "", "the thresholds.json of a report", "no such file");
+  const std::string text = read_file(path);
+  require_bounded_json(text, path.string());
+  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+  if (!json.is_object() || json.value("format", "") != "seamline thresholds" || !json.contains("artifacts") ||
+      !json["artifacts"].is_array())
+    throw no_thresholds(path, "", "the thresholds.json of a report", "another kind of file");
+  if (json.contains("level"))
+    throw no_thresholds(path, "level", "a study of depth widths", "one of another quantity");
+  require_condition(json, path, condition);
+  std::vector<SeamThresholds> thresholds;
+  for (const nlohmann::json& artifact : json["artifacts"]) {
+    if (!artifact.is_object() || artifact.value("condition", condition) != condition) continue;
+    const auto which = artifact_named(artifact.value("artifact", ""));
+    if (which)
+      thresholds.push_back({*which, threshold_at(artifact, "perceptual_threshold_px"),
+                            threshold_at(artifact, "slightly_noticeable_px")});
+  }
+  if (thresholds.empty())
+    throw no_thresholds(path, "artifacts", "receiver, shadow, occlusion or overlap", "none of them");
+  return thresholds;
+}
+
+PresentArtifacts present_artifacts(const PhotoScene& scene, bool masked_occlusion, bool matted_shadow) {
+  PresentArtifacts present;
+  const Shades shades{scene};
+  const bool has_points = !scene.light.suns.empty() || !scene.light.lamps.empty();
+  const Camera& camera = scene.camera;
+  std::size_t on_object = 0, hidden = 0;
+  for (int y = 0; y < camera.height_px; ++y)
+    for (int x = 0; x < camera.width_px; ++x) {
+      const Ray ray = centre_ray(camera, x, y);
+      if (ray.direction.isZero()) continue;
+      const auto real = scene.depth.nearest(ray);
+      const auto object = scene.objects.nearest(ray);
+      on_object += object ? 1 : 0;
+      if (object && (!real || object->distance_m < real->distance_m)) {
+        shades.each_light(*object, [&](bool by_object, bool by_real) {
+          present.shadow = present.shadow || (!by_object && by_real);
+        });
+        continue;
+      }
+      hidden += object ? 1 : 0;
+      if (!real || !scene.shadows) continue;
+      shades.each_light(*real, [&](bool by_object, bool by_real) {
+        present.receiver = present.receiver || (by_object && !by_real);
+        present.overlap = present.overlap || (by_object && by_real);
+      });
+    }
+  // Light from all around is taken a little of by everything that stands in it.
+  const bool around = scene.light.environment != nullptr || (scene.light.environment_radiance > 0.0F).any();
+  present.receiver = present.receiver || (scene.shadows && around && on_object > 0);
+  if (!has_points && around && scene.light.photographed == nullptr) present.shadow = true;
+  present.occlusion =
+      !masked_occlusion && static_cast<double>(hidden) > least_hidden_share * static_cast<double>(on_object);
+  if (matted_shadow) present.overlap = false;
+  return present;
+}
+
+SeamlessWidth seamless_width(const PresentArtifacts& present, const std::vector<SeamThresholds>& thresholds) {
+  SeamlessWidth out;
+  int widest = smallest_width_px;
+  bool suffices = true;
+  const auto need = [&](Artifact artifact, bool is_present, const char* instead) {
+    if (!is_present) return;
+    WidthNeed& one = out.needs.emplace_back(WidthNeed{artifact, std::nullopt, {}});
+    const auto known = std::find_if(thresholds.begin(), thresholds.end(),
+                                    [&](const SeamThresholds& t) { return t.artifact == artifact; });
+    const auto even = [](double width) { return 2 * static_cast<int>(std::ceil(width / 2)); };
+    if (known != thresholds.end() && known->perceptual_px) {
+      one.width_px = even(*known->perceptual_px);
+      one.rule = "PT: not noticed";
+    } else if (known != thresholds.end() && known->slightly_px) {
+      one.width_px = even(*known->slightly_px);
+      one.rule = fmt::format("no PT; SN instead: slightly noticeable{}", instead);
+    } else {
+      one.rule = fmt::format("neither PT nor SN: no width that was tested suffices{}", instead);
+      suffices = false;
+      return;
+    }
+    widest = std::max(widest, *one.width_px);
+  };
+  need(Artifact::receiver, present.receiver, "");
+  need(Artifact::shadow, present.shadow, "");
+  need(Artifact::occlusion, present.occlusion, "; with --occlusion-mask it needs no depth");
+  need(Artifact::overlap, present.overlap, "; with --shadow-matte it needs no depth");
+  if (suffices) out.width_px = widest;
+  return out;
+}
+
+}  // namespace seamline::renderer

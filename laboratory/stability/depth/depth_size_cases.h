@@ -1,0 +1,22 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+
+#include "laboratory/stability/common/stability_case.h"
+#include "laboratory/stability/depth/depth_maps.h"
+
+namespace seamline::stability {
+
+/// How a file becomes a depth map; the product's is `read_depth_map`.
+using ReadRule = std::function<DepthMap(const std::filesystem::path& path)>;
+
+/// Files of sizes that are no panorama, and one of three channels: how many are not refused by a sentence.
+[[nodiscard]] Finding try_wrong_sizes(bool odd, const ReadRule& read = read_depth_map);
+
+/// A sphere of 2 m in maps of these widths, both densities up to 4096: largest error of random rays.
+[[nodiscard]] Finding try_widths(const std::vector<int>& widths_px, int threads);
+
+/// A room in a map of 16384 x 8192, adaptive mesh: largest error of random rays.
+[[nodiscard]] Finding try_largest_width(int threads);
+
+}  // namespace seamline::stability

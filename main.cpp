@@ -1,5 +1,0 @@
-#include "program.h"
-
-int main(int argc, char** argv) {
-  return seamline::run_command_line(argc, argv);
-}

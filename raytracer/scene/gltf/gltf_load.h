@@ -1,0 +1,19 @@
+#pragma once
+#include <filesystem>
+
+#include "raytracer/scene/gltf/gltf_extensions.h"
+
+namespace tinygltf {
+class Model;
+}
+
+namespace seamline::renderer {
+
+/// Reads a .gltf or .glb file with the buffers it names, uncompressed. Of images, textures and samplers it
+/// has what the file says of them; no picture is read. What of the file nobody will look at is added to
+/// `left_out`. The library that does it trusts what it reads in several places, so the file's size, the depth
+/// of its nesting and the sizes of its buffers are checked first (limits.h), and buffers are read only from
+/// the file's own folder or below it. Throws InputError naming the file and what in it is wrong.
+[[nodiscard]] tinygltf::Model load_gltf(const std::filesystem::path& path, LeftOut& left_out);
+
+}  // namespace seamline::renderer

@@ -1,0 +1,132 @@
+#include "sets/pages/errors_page.h"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "sets/pages/errors_figure.h"
+#include "sets/pages/page_frame.h"
+#include "sets/set_errors.h"
+#include "support/files/atomic_file.h"
+#include "support/files/confined_path.h"
+#include "support/running/progress.h"
+#include "support/text/html.h"
+
+namespace seamline::renderer {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string number(const std::optional<double>& value, int digits) {
+  return value ? fmt::format("{:.{}f}", *value, digits) : "&ndash;";
+}
+
+std::string summary(const SetErrors& e) {
+  const SetSeconds& s = e.seconds;
+  std::string text = fmt::format(
+      "<p>{} stimuli of {} x {} pixels; {} of work on {} threads ({}), {:.0f} million rays.</p>\n"
+      "<table><thead><tr><th>Where the time went</th><th>seconds</th><th>share</th></tr></thead><tbody>",
+      e.rows.size(), e.width_px, e.height_px, duration_text(s.total()), e.threads, html_escape(e.machine),
+      static_cast<double>(e.rays) * 1e-6);
+  const auto line = [&](const char* what, double seconds) {
+    text += fmt::format("<tr><td>{}</td><td>{:.1f}</td><td>{:.0f} %</td></tr>", what, seconds,
+                        s.total() > 0 ? 100 * seconds / s.total() : 0.0);
+  };
+  line("references, and what their scenes share", s.references);
+  line("truth of each object", s.truth);
+  line("depth maps and meshes", s.meshes);
+  line("stimuli", s.stimuli);
+  text += fmt::format("</tbody><tfoot><tr><td>total</td><td>{:.1f}</td><td></td></tr></tfoot></table>\n",
+                      s.total());
+  const int measured = e.measured();
+  if (measured == 0)
+    return text +
+           "<p>The true error of no stimulus was measured (<code>seamline render --true-error "
+           "PATTERN</code> does it).</p>\n";
+  return text + fmt::format(
+                    "<p>The true error of {0} of {1} stimuli was measured. It exceeds the estimate in {2} of "
+                    "these {0} ({3:.0f} %), in {4} by more than twice its own standard error.</p>\n",
+                    measured, e.rows.size(), e.above_estimate(), 100.0 * e.above_estimate() / measured,
+                    e.clearly_above_estimate());
+}
+
+std::string figure(const SetErrors& errors) {
+  const std::optional<std::string> svg = errors_figure(errors);
+  if (!svg)
+    return "<p>There is no figure: gnuplot (Debian package gnuplot-nox) was not found, or no error is "
+           "known.</p>\n";
+  return "<figure>" + *svg +
+         "<figcaption>Error against the seconds of a stimulus' own pass. Hollow: as estimated while "
+         "rendering, noise and bias. Filled: against a long reference. Dotted: one 8-bit step, "
+         "1/255.</figcaption></figure>\n";
+}
+
+std::string row_text(const StimulusErrorRow& row) {
+  const auto& m = row.measured;
+  const bool above = m && row.estimated && m->rmse > *row.estimated;
+  return fmt::format(
+      "<tr><td>{}</td><td>{}</td><td>{:.2f}</td><td>{}</td><td>{}</td><td>{}</td><td{}>{}</td><td>{}</td></"
+      "tr>\n",
+      html_escape(row.id), number(row.seconds, 2), static_cast<double>(row.rays) * 1e-6, row.spp,
+      number(row.estimated, 4), number(row.estimated_worst_tile, 4), above ? " class=\"above\"" : "",
+      m ? fmt::format("{:.4f} &plusmn; {:.4f}", m->rmse, m->standard_error) : "&ndash;",
+      m ? fmt::format("{:.4f}", m->worst_tile) : "&ndash;");
+}
+
+std::string table(const SetErrors& errors) {
+  std::string text =
+      "<div class=\"scroll\"><table><thead><tr><th>stimulus</th><th>seconds</th><th>million rays</th>"
+      "<th>samples a pixel</th><th>estimated error</th><th>in the worst tile</th><th>true error</th>"
+      "<th>in the worst tile</th></tr></thead><tbody>\n";
+  std::int64_t rays = 0;
+  for (const StimulusErrorRow& row : errors.rows) {
+    text += row_text(row);
+    rays += row.rays;
+  }
+  return text + fmt::format(
+                    "</tbody><tfoot><tr><td>{} stimuli</td><td>{:.1f}</td><td>{:.1f}</td><td></td><td></td>"
+                    "<td></td><td></td><td></td></tr></tfoot></table></div>\n",
+                    errors.rows.size(), errors.seconds.stimuli, static_cast<double>(rays) * 1e-6);
+}
+
+/// Of each artifact the measured stimulus with the largest worst tile, its picture inside the page.
+std::string worst_tiles(const fs::path& set_folder, const SetErrors& errors) {
+  std::map<Artifact, const StimulusErrorRow*> worst;
+  for (const StimulusErrorRow& row : errors.rows) {
+    if (!row.measured) continue;
+    const StimulusErrorRow*& known = worst[row.artifact];
+    if (known == nullptr || row.measured->worst_tile > known->measured->worst_tile) known = &row;
+  }
+  std::string text;
+  for (const auto& [artifact, row] : worst) {
+    const fs::path picture = set_folder / ("worst-tile-" + row->id + ".png");
+    if (!lies_below(picture, set_folder)) continue;  // there is none, or a link to what is not of the set
+    text += fmt::format(
+        "<figure><img alt=\"worst tile of {0}\" src=\"data:image/png;base64,{1}\"><figcaption>{2}: the worst "
+        "tile of {0}. Left as rendered, middle the path reference with {3} samples a pixel, right their "
+        "difference times 8 about mid-grey; the reference's own noise is in the two last.</figcaption>"
+        "</figure>\n",
+        html_escape(row->id), base64(read_file(picture)), word(artifact), row->measured->reference_spp);
+  }
+  return text.empty() ? "" : "<h2>Worst tiles</h2>\n" + text;
+}
+
+}  // namespace
+
+void write_errors_page(const fs::path& set_folder) {
+  const SetErrors errors = read_set_errors(set_folder);
+  write_file_atomically(set_folder / "errors.csv", csv_text(errors_table(errors)));
+  write_file_atomically(
+      set_folder / "errors.html",
+      html_page(
+          "Errors and run time: " + html_escape(errors.study_name),
+          summary(errors) + "<h2>Error against run time</h2>\n" + figure(errors) +
+              "<h2>Every stimulus</h2>\n<p class=\"soft\">Errors are root mean squares in display units (0 "
+              "to 1; one 8-bit step is 0.0039). Seconds and rays are of the stimulus' own pass. The true "
+              "error is against the path estimator with another seed, without that reference's noise, plus "
+              "or minus its standard error; the rounding to 8 bits (0.0011) is part of it. A true error "
+              "above its estimate is in orange.</p>\n" +
+              table(errors) + worst_tiles(set_folder, errors)));
+}
+
+}  // namespace seamline::renderer

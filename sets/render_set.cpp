@@ -1,0 +1,366 @@
+#include "sets/render_set.h"
+
+#include <fmt/core.h>
+
+#include "raytracer/common/parallel.h"
+#include "raytracer/common/stopwatch.h"
+#include "raytracer/scene/moving_scenes.h"
+#include "raytracer/scene/visible_objects.h"
+#include "renderer/estimators/estimator.h"
+#include "renderer/picture/composite.h"
+#include "sets/clips/set_clips.h"
+#include "sets/contact_sheet.h"
+#include "sets/render_plan.h"
+#include "sets/set_layers.h"
+#include "sets/set_manifest.h"
+#include "sets/set_pictures.h"
+#include "sets/set_work.h"
+#include "sets/sharing/set_claim.h"
+#include "sets/sharing/set_running.h"
+#include "sets/sharing/set_truths.h"
+#include "sets/sharing/work_list.h"
+#include "sets/stimulus_scene.h"
+#include "sets/timings.h"
+#include "sets/view_depth.h"
+#include "stimuli/definition/clip_frames.h"
+#include "stimuli/pictures/difference.h"
+#include "stimuli/set/clip_set.h"
+#include "stimuli/set/set_study.h"
+#include "stimuli/study_file/carried_files.h"
+#include "support/files/assets.h"
+#include "support/files/atomic_file.h"
+#include "support/running/memory.h"
+#include "support/running/progress.h"
+#include "support/text/error.h"
+
+namespace seamline::renderer {
+namespace fs = std::filesystem;
+namespace {
+
+/// A name for the files of one process; empty when it renders everything.
+std::string part_name(const RenderRequest& request) {
+  if (!request.element.empty()) return request.element;
+  return request.shard_count == 1 ? std::string() : fmt::format("{}of{}", request.shard, request.shard_count);
+}
+
+/// One render job: what is asked, what is finished, and the order of work that shares the most: scene,
+/// object, width.
+class SetRenderer {
+ public:
+  /// `shown` is what people see, `study` what is rendered for it (`still_study`).
+  SetRenderer(const StudyDefinition& shown, const StudyDefinition& study, const RenderRequest& request)
+      : shown_(shown),
+        study_(study),
+        request_(request),
+        settings_(render_settings(study, request)),
+        hashes_(study, settings_),
+        records_(request.set_folder),
+        threads_(request.threads > 0 ? request.threads : default_thread_count()),
+        timings_(request.set_folder, threads_, part_name(request)) {}
+
+  RenderSummary run() {
+    const Stopwatch watch;
+    check_existing_set();
+    work_ = find_work(study_, request_, hashes_, records_);
+    summary_.already_finished = work_.already_finished;
+    if (request_.part == JobPart::truth) work_.pending.clear();
+    if (request_.part == JobPart::join) require_nothing_pending();
+    for (const SceneDefinition& truth : truths_) load_and_check(truth);
+    for (const char* part : {"stimuli", "references", "records"})
+      prepare_output_folder(request_.set_folder / part);
+    const SetClaim claim(request_.set_folder, hashes_.of_set());
+    if (!request_.element.empty()) {
+      write_work_list(request_.set_folder, list_work(study_, request_.only, hashes_, request_.job));
+      const int done = request_.part == JobPart::stimuli ? work_.already_finished : 0;
+      mark_.emplace(request_.set_folder, request_.element, done,
+                    done + static_cast<int>(work_.pending.size()));
+    }
+    render_scenes();
+    if (request_.part == JobPart::whole || request_.part == JobPart::join) write_set();
+    if (request_.part == JobPart::join) truths_of_others_.remove_all();
+    mark_.reset();
+    summary_.seconds = watch.seconds();
+    timings_.write(summary_.seconds);
+    return summary_;
+  }
+
+ private:
+  void render_scenes() {
+    progress_.emplace("rendering " + study_.name, total_weight(work_, weights_));
+    for (const SceneDefinition& truth : truths_) {
+      render_scene(truth);
+      give_back_freed_memory();
+    }
+    progress_.reset();
+  }
+
+  void require_nothing_pending() const {
+    if (work_.pending.empty()) return;
+    throw input_error({.file = request_.set_folder.string(),
+                       .wanted = "a set whose stimuli are all rendered",
+                       .found = fmt::format("{} that are not, the first being {}", work_.pending.size(),
+                                            stimulus_id(work_.pending.front().stimulus))});
+  }
+
+  void check_existing_set() {
+    if (!fs::exists(request_.set_folder / "manifest.json")) return;
+    const Manifest existing = read_manifest(request_.set_folder);
+    if (existing.study_name != study_.name)
+      throw input_error({.file = request_.set_folder.string(),
+                         .wanted = "an empty folder or a set of study \"" + study_.name + "\"",
+                         .found = "a set of study \"" + existing.study_name + "\""});
+    earlier_stimuli_ = existing.stimuli.size();
+  }
+
+  /// Manifest and study file change together, at the end: until then a set stays what it was.
+  void write_set() {
+    identity_ = identity_in(request_.set_folder, shown_);
+    Manifest written = manifest();
+    copy_carried_files(shown_, request_.set_folder);
+    write_study_file(request_.set_folder, shown_, identity_);
+    write_manifest(request_.set_folder, written);
+    // Another shard may have finished meanwhile: the last to look lists everything.
+    for (Manifest now = manifest(); now.stimuli.size() != written.stimuli.size(); now = manifest()) {
+      write_manifest(request_.set_folder, now);
+      written = std::move(now);
+    }
+    if (written.stimuli.size() < earlier_stimuli_)
+      fmt::print(
+          stderr,
+          "seamline: the set had {} stimuli and now has {}: the others were rendered with other settings; "
+          "render without --only to make them again\n",
+          earlier_stimuli_, written.stimuli.size());
+  }
+
+  ReportProgress report(double work, const std::string& what) {
+    return [this, work, what, last = 0.0](double share) mutable {
+      if (mark_) mark_->alive();
+      if (share < last) last = share;  // a further round over the same picture
+      progress_->advance((share - last) * work, what);
+      last = share;
+    };
+  }
+
+  [[nodiscard]] std::unique_ptr<SceneEstimator> estimator_of(const TruthScene& scene) const {
+    return make_estimator(settings_.estimator, scene,
+                          estimate_options(study_, scene.definition, settings_, threads_));
+  }
+
+  /// Every wrong input is found before the first long computation.
+  void load_and_check(const SceneDefinition& definition) {
+    if (!work_.selected_truths.contains(definition.truth) || request_.part == JobPart::join) return;
+    if (request_.part == JobPart::truth && definition.truth != request_.truth) return;
+    if (request_.part != JobPart::truth && !work_.is_pending(definition.truth) &&
+        records_.finished_reference(definition.truth, hashes_.of_reference(definition.truth)))
+      return;
+    TruthScene scene = shown_.clip ? moving_.load(definition)
+                                   : load_truth_scene(definition, study_.width_px, study_.height_px);
+    require_visible_objects(study_, scene);
+    require_mirrors(study_, scene);
+    lights_.emplace(definition.truth, light_facts(scene));
+    scenes_.emplace(definition.truth, std::move(scene));
+  }
+
+  void render_scene(const SceneDefinition& definition) {
+    const auto found = scenes_.find(definition.truth);
+    if (found == scenes_.end()) return;
+    const TruthScene& scene = found->second;
+    const std::unique_ptr<SceneEstimator> estimator = estimator_of(scene);
+    if (request_.part == JobPart::stimuli && estimator->truth_pieces() == 1) take_truth(scene, 1, *estimator);
+    finish_reference(scene, *estimator);
+    if (request_.part == JobPart::truth) leave_truth(scene, *estimator);
+    give_back_freed_memory();
+    for (int object = 1; object <= 3; ++object) render_object(scene, object, *estimator);
+    summary_.savings.emplace_back(definition.truth, estimator->savings());
+    scenes_.erase(found);
+  }
+
+  /// What another process made of the truth; what is not there is made here.
+  void take_truth(const TruthScene& scene, int piece, SceneEstimator& estimator) {
+    const std::string& name = scene.definition.truth;
+    const std::optional<std::string> bytes = truths_of_others_.read(name, piece, hashes_.of_reference(name));
+    if (!bytes) return;
+    ByteReader in(*bytes);
+    if (!estimator.read_truth(piece, in))
+      throw input_error({.file = (request_.set_folder / "truths").string(),
+                         .wanted = "truth passes of this program",
+                         .found = "another's of " + name + ": remove the folder"});
+  }
+
+  void leave_truth(const TruthScene& scene, SceneEstimator& estimator) {
+    const std::string& name = scene.definition.truth;
+    for (int piece = 1; piece <= estimator.truth_pieces(); ++piece) {
+      if (truths_of_others_.has(name, piece, hashes_.of_reference(name))) continue;
+      ByteWriter out;
+      estimator.write_truth(piece, out, report(weights_.truth, name + " truth"));
+      truths_of_others_.write(name, piece, hashes_.of_reference(name), out.bytes());
+    }
+  }
+
+  void finish_reference(const TruthScene& scene, SceneEstimator& estimator) {
+    const std::string& name = scene.definition.truth;
+    const std::string inputs = hashes_.of_reference(name);
+    if (records_.finished_reference(name, inputs)) return;
+    const Stopwatch watch;
+    const SceneReference reference = estimator.reference(report(weights_.reference, name + " reference"));
+    records_.finish_reference(write_reference(request_.set_folder, name,
+                                              {.made = reference,
+                                               .exposure_ev = scene.definition.exposure_ev,
+                                               .view = scene.definition.view,
+                                               .planar_m = reference_depth(scene)}),
+                              inputs);
+    timings_.add("reference-" + name, watch.seconds(), reference.rays);
+  }
+
+  void render_object(const TruthScene& scene, int object_index, SceneEstimator& estimator) {
+    std::map<std::pair<std::string, DepthSettings>, std::vector<PendingStimulus>> by_mesh;
+    for (const PendingStimulus& work : work_.pending)
+      if (truth_of(work.stimulus) == scene.definition.truth && work.stimulus.object_index == object_index) {
+        const std::optional<SceneDefinition> captured = captured_scene(study_, work.stimulus);
+        by_mesh[{captured ? canonical_text(*captured) : std::string(), work.stimulus.depth}].push_back(work);
+      }
+    if (by_mesh.empty()) return;
+    const std::string what = scene.definition.truth + " " +
+                             scene.definition.objects[static_cast<std::size_t>(object_index - 1)].name;
+    if (request_.part == JobPart::stimuli && estimator.truth_pieces() > 1)
+      take_truth(scene, object_index, estimator);
+    const Stopwatch watch;
+    estimator.take_object(object_index, report(weights_.truth, what));
+    timings_.add("truth-" + scene.definition.truth + "-" + std::to_string(object_index), watch.seconds(),
+                 estimator.truth().rays);
+    for (const auto& [mesh, works] : by_mesh) render_mesh(scene, estimator, mesh.second, works);
+    give_back_freed_memory();
+  }
+
+  /// What the depth camera saw, where that was not what is there now.
+  [[nodiscard]] std::optional<Geometry> captured_geometry(const Stimulus& stimulus) {
+    const std::optional<SceneDefinition> captured = captured_scene(study_, stimulus);
+    if (!captured) return std::nullopt;
+    return moving_.load(*captured).geometry_without(stimulus.object_index);
+  }
+
+  /// All stimuli of one depth map share its mesh.
+  void render_mesh(const TruthScene& scene, SceneEstimator& estimator, DepthSettings settings,
+                   const std::vector<PendingStimulus>& works) {
+    settings.mesh = settings_.mesh.value_or(settings.mesh);
+    const Stopwatch watch;
+    std::optional<LocalScene> depth;
+    bool needed = request_.layers;
+    for (const PendingStimulus& work : works)
+      needed = needed || recipe(work.stimulus.artifact, work.stimulus.isolation).answers.needs_depth();
+    // By all artifacts of the scene, not by those left to render: a set that was interrupted has the same
+    // bytes.
+    const Answers asked = asked_of_depth(study_, scene.definition);
+    const std::optional<Geometry> captured =
+        needed ? captured_geometry(works.front().stimulus) : std::nullopt;
+    if (needed)
+      depth.emplace(stimulus_scene(scene, estimator, settings, asked.traces_depth(), threads_,
+                                   captured ? &*captured : nullptr));
+    progress_->advance(weights_.mesh, "depth mesh");
+    timings_.add(fmt::format("mesh-{}-{}-{:04}", scene.definition.truth, works.front().stimulus.object,
+                             settings.width_px),
+                 watch.seconds(), 0);
+    for (const PendingStimulus& work : works) render_one(scene, estimator, depth ? &*depth : nullptr, work);
+    // Taking it again costs 0.15 s: little beside stimuli that trace bounce light, which need most of it.
+    if (asked.bounce == Who::depth) give_back_freed_memory();
+  }
+
+  /// `depth` is null when no stimulus of its width asks it anything.
+  void render_one(const TruthScene& scene, SceneEstimator& estimator, const LocalScene* depth,
+                  const PendingStimulus& work) {
+    const Stopwatch watch;
+    const std::string id = stimulus_id(work.stimulus);
+    const Recipe how = recipe(work.stimulus.artifact, work.stimulus.isolation);
+    const Geometry* geometry = depth != nullptr ? &depth->geometry : nullptr;
+    const EstimatedStimulus made = estimator.stimulus(
+        how, depth != nullptr ? depth->world() : DepthWorld(nullptr), report(weights_.stimulus, id));
+    const Composite composite = compose(made.sums, made.sums.compositing, threads_);
+    ManifestStimulus record =
+        write_stimulus(request_.set_folder, work.stimulus,
+                       {.made = made,
+                        .composite = composite,
+                        .exposure_ev = scene.definition.exposure_ev,
+                        .view = scene.definition.view,
+                        .planar_m = stimulus_depth(scene, estimator.geometry(), how, geometry)});
+    if (depth != nullptr && work.stimulus.depth.pipeline != Pipeline{} && how.answers.needs_depth())
+      record.pipeline_error = display_rmse(composite.picture, traced_picture(estimator, how, *depth),
+                                           scene.definition.exposure_ev);
+    if (depth != nullptr && how.answers.needs_depth()) record.mesh = depth->mesh;
+    if (request_.layers)
+      write_layers({request_.set_folder, work.stimulus, work.inputs}, scene, geometry,
+                   {estimator.truth(), made.sums, composite});
+    records_.finish(record, work.inputs);
+    timings_.add(id, watch.seconds(), made.sums.rays, made.worst_tile);
+    ++summary_.rendered;
+    if (mark_) mark_->finished_one();
+  }
+
+  /// What methods of real time stand for.
+  [[nodiscard]] Image traced_picture(SceneEstimator& estimator, const Recipe& how,
+                                     const LocalScene& depth) const {
+    const EstimatedStimulus traced = estimator.stimulus(how, depth.traced_world(), {});
+    return compose(traced.sums, Compositing::ratio, threads_).picture;
+  }
+
+  [[nodiscard]] Manifest manifest() {
+    Manifest of_pictures = set_manifest({study_, settings_, hashes_, records_, identity_}, lights_);
+    if (shown_.clip) return assemble_clips(shown_, request_.set_folder, of_pictures);
+    std::error_code error;
+    fs::remove(request_.set_folder / clip_set_file, error);  // the study may have had clips before
+    return of_pictures;
+  }
+
+  const StudyDefinition& shown_;
+  const StudyDefinition& study_;
+  const std::vector<SceneDefinition> truths_ = list_truths(study_);
+  const RenderRequest& request_;
+  RenderSettings settings_;
+  InputHashes hashes_;
+  SetRecords records_;
+  std::string identity_;  ///< of the set in the folder; known when it is written
+  int threads_;
+  Timings timings_;
+  SetWork work_;
+  const WorkWeights weights_ = work_weights(settings_.estimator);
+  std::size_t earlier_stimuli_ = 0;
+  MovingScenes moving_{study_.width_px, study_.height_px};  ///< of clips
+  std::map<std::string, TruthScene> scenes_;
+  std::map<std::string, LightFacts> lights_;  ///< of scenes loaded so far
+  SetTruths truths_of_others_{request_.set_folder};
+  std::optional<RunningMark> mark_;
+  std::optional<Progress> progress_;
+  RenderSummary summary_;
+};
+
+}  // namespace
+
+RenderSettings render_settings(const StudyDefinition& study, const RenderRequest& request) {
+  bool sets_mesh = study.level.quantity == Quantity::mesh_tolerance;
+  for (const ConditionDefinition& condition : study.conditions)
+    sets_mesh = sets_mesh || condition.depth.mesh != study.depth.mesh ||
+                condition.depth.mesh_tolerance != study.depth.mesh_tolerance;
+  if (request.mesh && sets_mesh)
+    throw input_error({.field = "--mesh",
+                       .wanted = "a study whose conditions and levels leave the mesh to the command line",
+                       .found = study.file.string() + ", which varies it"});
+  return {.spp = request.spp.value_or(study.samples_per_pixel),
+          .seed = study.seed,
+          .mesh = request.mesh,
+          .estimator = request.estimator,
+          .error = request.error,
+          .omit = request.omit};
+}
+
+RenderSummary render_set(const StudyDefinition& study, const RenderRequest& request) {
+  if (study.clip && request.error)
+    throw input_error({.field = "--error",
+                       .wanted = "a number of samples (--spp) for a study of clips: frames whose samples are "
+                                 "decided one by one flicker",
+                       .found = fmt::format("{}", *request.error)});
+  const StudyDefinition rendered = still_study(study);
+  const RenderSummary summary = SetRenderer(study, rendered, request).run();
+  if (request.contact_sheet) write_contact_sheets(request.set_folder);
+  return summary;
+}
+
+}  // namespace seamline::renderer

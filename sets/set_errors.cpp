@@ -1,0 +1,166 @@
+#include "sets/set_errors.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "support/files/atomic_file.h"
+#include "support/text/text_bounds.h"
+
+namespace seamline::renderer {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Piece {
+  double seconds = 0;
+  std::int64_t rays = 0;
+  std::optional<double> worst_tile = {};
+};
+using Pieces = std::map<std::string, Piece>;
+
+/// `timings.json` and those of shards; a damaged one says nothing.
+Pieces read_timings(const std::filesystem::path& set_folder, SetErrors& errors) {
+  Pieces pieces;
+  for (const auto& entry : std::filesystem::directory_iterator(set_folder)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with("timings") || !name.ends_with(".json")) continue;
+    try {
+      const std::string text = read_file(entry.path());
+      require_bounded_json(text, entry.path().string());
+      const Json json = Json::parse(text);
+      errors.threads = std::max(errors.threads, json.value("threads", 0));
+      errors.machine = json.value("machine", errors.machine);
+      const Json lines = json.value("pieces", Json::object());
+      for (const auto& [piece, line] : lines.items()) {
+        Piece& read = pieces[piece] = {line.at("seconds").get<double>(), line.at("rays").get<std::int64_t>()};
+        if (line.contains("worst_tile")) read.worst_tile = line["worst_tile"].get<double>();
+      }
+    } catch (const Json::exception&) {
+      continue;
+    }
+  }
+  return pieces;
+}
+
+/// Stimuli whose true error exceeds the estimate by more than some of its own standard errors.
+int count_above(const std::vector<StimulusErrorRow>& rows, double standard_errors) {
+  return static_cast<int>(std::count_if(rows.begin(), rows.end(), [&](const StimulusErrorRow& row) {
+    return row.measured && row.estimated &&
+           row.measured->rmse - standard_errors * row.measured->standard_error > *row.estimated;
+  }));
+}
+
+CsvValue cell(const std::optional<double>& value) {
+  return value ? CsvValue(*value) : CsvValue();
+}
+
+}  // namespace
+
+int SetErrors::measured() const {
+  return static_cast<int>(
+      std::count_if(rows.begin(), rows.end(), [](const auto& row) { return row.measured.has_value(); }));
+}
+
+int SetErrors::above_estimate() const {
+  return count_above(rows, 0);
+}
+
+int SetErrors::clearly_above_estimate() const {
+  return count_above(rows, 2);
+}
+
+SetErrors read_set_errors(const std::filesystem::path& set_folder) {
+  const Manifest manifest = read_manifest(set_folder);
+  SetErrors errors{.study_name = manifest.study_name,
+                   .width_px = manifest.width_px,
+                   .height_px = manifest.height_px,
+                   .threads = 0,
+                   .machine = "unknown",
+                   .seconds = {},
+                   .rays = 0,
+                   .rows = {}};
+  const Pieces pieces = read_timings(set_folder, errors);
+  for (const auto& [name, piece] : pieces) {
+    if (name.starts_with("reference-")) errors.seconds.references += piece.seconds;
+    if (name.starts_with("truth-")) errors.seconds.truth += piece.seconds;
+    if (name.starts_with("mesh-")) errors.seconds.meshes += piece.seconds;
+    if (name.starts_with("reference-") || name.starts_with("truth-")) errors.rays += piece.rays;
+  }
+  const TrueErrors measured = read_true_errors(set_folder);
+  for (const ManifestStimulus& record : manifest.stimuli) {
+    StimulusErrorRow row{.id = record.id,
+                         .artifact = record.stimulus.artifact,
+                         .seconds = {},
+                         .rays = record.rays,
+                         .spp = record.spp,
+                         .estimated = record.rmse,
+                         .estimated_worst_tile = {},
+                         .measured = {}};
+    if (const auto found = pieces.find(record.id); found != pieces.end()) {
+      row.seconds = found->second.seconds;
+      row.estimated_worst_tile = found->second.worst_tile;
+      errors.seconds.stimuli += found->second.seconds;
+    }
+    if (const auto found = measured.find(record.id);
+        found != measured.end() && found->second.picture_sha256 == record.sha256)
+      row.measured = found->second;
+    errors.rays += record.rays;
+    errors.rows.push_back(std::move(row));
+  }
+  return errors;
+}
+
+static constexpr double rounded_in_files = 1e-3;  ///< relative, of errors in manifest and timings
+
+std::vector<std::string> sentences_on_missed(const SetErrors& errors, double asked) {
+  std::string examples;
+  int missed = 0;
+  for (const StimulusErrorRow& row : errors.rows) {
+    const double reached = row.estimated.value_or(0), worst_tile = row.estimated_worst_tile.value_or(0);
+    if (std::max(reached, worst_tile / 3) <= asked * (1 + rounded_in_files)) continue;
+    if (++missed <= 3)
+      examples += fmt::format("{}{} ({:.4f}, worst tile {:.4f})", missed > 1 ? ", " : "", row.id, reached,
+                              worst_tile);
+  }
+  if (missed == 0) return {};
+  return {fmt::format(
+      "The error that was asked for, {:g} (worst tile {:g}), was not reached by {} of {} stimuli: {}{}. "
+      "errors.html lists all.",
+      asked, 3 * asked, missed, errors.rows.size(), examples, missed > 3 ? " ..." : "")};
+}
+
+CsvTable errors_table(const SetErrors& errors) {
+  CsvTable table{
+      .name = "errors",
+      .columns = {{"stimulus", "", "id"},
+                  {"seconds", "s", "of the stimulus' own pass; what stimuli share is not in it"},
+                  {"rays", "millions", "traced for the stimulus"},
+                  {"samples", "per pixel", "sub-pixel samples"},
+                  {"estimated_error", "display units", "estimated RMSE, noise and bias"},
+                  {"estimated_worst_tile", "display units", "the same in the worst 32 x 32 tile"},
+                  {"true_error", "display units", "RMSE against the path estimator, without its noise"},
+                  {"true_standard_error", "display units", "of the true error as measured"},
+                  {"true_worst_tile", "display units", "true error in the worst 32 x 32 tile"},
+                  {"reference_samples", "per pixel", "of the path reference"}},
+      .rows = {}};
+  for (const StimulusErrorRow& row : errors.rows) {
+    std::vector<CsvValue> cells = {row.id,
+                                   cell(row.seconds),
+                                   static_cast<double>(row.rays) * 1e-6,
+                                   std::int64_t{row.spp},
+                                   cell(row.estimated),
+                                   cell(row.estimated_worst_tile)};
+    if (const auto& m = row.measured)
+      for (CsvValue value : {CsvValue(m->rmse), CsvValue(m->standard_error), CsvValue(m->worst_tile),
+                             CsvValue(std::int64_t{m->reference_spp})})
+        cells.push_back(std::move(value));
+    cells.resize(table.columns.size());
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
+}
+
+}  // namespace seamline::renderer

@@ -1,0 +1,55 @@
+#include "sets/set_manifest.h"
+
+#include <set>
+
+#include "raytracer/scene/truth_scene.h"
+#include "raytracer/tracing/ray_device.h"
+#include "renderer/transport/light_facts.h"
+#include "support/files/assets.h"
+
+namespace seamline::renderer {
+namespace {
+
+/// The plan for the scenes that the set has.
+RenderPlan plan_of(const std::set<std::string>& scenes, const SetState& set,
+                   std::map<std::string, LightFacts>& lights) {
+  std::map<std::string, LightFacts> of_set;
+  for (const SceneDefinition& scene : list_truths(set.study)) {
+    if (!scenes.contains(scene.truth)) continue;
+    if (!lights.contains(scene.truth))
+      lights.emplace(scene.truth,
+                     light_facts(load_truth_scene(scene, set.study.width_px, set.study.height_px)));
+    of_set.emplace(scene.truth, lights.at(scene.truth));
+  }
+  return render_plan(set.study, of_set, set.settings);
+}
+
+}  // namespace
+
+Manifest set_manifest(const SetState& set, std::map<std::string, LightFacts>& lights) {
+  Manifest out;
+  out.study_name = set.study.name;
+  out.study_hash = set.identity;
+  out.program_version = program_version();
+  out.instruction_set = RayDevice::instruction_set();
+  out.width_px = set.study.width_px;
+  out.height_px = set.study.height_px;
+  std::set<std::string> scenes;
+  for (const Stimulus& stimulus : list_stimuli(set.study))
+    if (auto record = set.records.finished(stimulus_id(stimulus), set.hashes.of_stimulus(stimulus))) {
+      record->stimulus.depth.chain = stimulus.depth.chain;  // which the record holds as a text only
+      record->stimulus.depth.mitigation = stimulus.depth.mitigation;
+      record->stimulus.depth.pipeline = stimulus.depth.pipeline;
+      out.stimuli.push_back(*record);
+      scenes.insert(stimulus.truth);
+    }
+  for (const SceneDefinition& scene : list_truths(set.study))
+    if (const auto reference =
+            set.records.finished_reference(scene.truth, set.hashes.of_reference(scene.truth));
+        reference && scenes.contains(scene.truth))
+      out.references.push_back(*reference);
+  out.left_out = sentences(plan_of(scenes, set, lights));
+  return out;
+}
+
+}  // namespace seamline::renderer

@@ -1,0 +1,24 @@
+#pragma once
+#include <map>
+#include <string>
+
+#include "sets/render_plan.h"
+#include "sets/set_records.h"
+#include "stimuli/set/manifest.h"
+
+namespace seamline::renderer {
+
+/// What a set is rendered from, and what of it is finished.
+struct SetState {
+  const StudyDefinition& study;
+  const RenderSettings& settings;
+  const InputHashes& hashes;
+  const SetRecords& records;
+  const std::string& identity;  ///< the study's hash in the manifest (`identity_in`)
+};
+
+/// The manifest of what is finished, in the study's order, with what was left out for it. `lights` holds
+/// the facts of scenes loaded so far; those of scenes that were finished earlier are added.
+[[nodiscard]] Manifest set_manifest(const SetState& set, std::map<std::string, LightFacts>& lights);
+
+}  // namespace seamline::renderer

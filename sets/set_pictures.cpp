@@ -1,0 +1,63 @@
+#include "sets/set_pictures.h"
+
+#include "renderer/views/view_picture.h"
+#include "stimuli/pictures/difference.h"
+#include "support/files/hash.h"
+#include "support/files/image.h"
+
+namespace seamline::renderer {
+namespace fs = std::filesystem;
+namespace {
+
+std::string reference_picture(const std::string& truth) {
+  return "references/" + truth + ".png";
+}
+std::string click_map_picture(const std::string& truth) {
+  return "references/" + truth + "-ids.png";
+}
+
+}  // namespace
+
+ManifestStimulus write_stimulus(const fs::path& set_folder, const Stimulus& stimulus,
+                                const StimulusPicture& picture) {
+  require_numbers(picture.composite.picture, stimulus_id(stimulus));
+  const StimulusSums& layers = picture.made.sums;
+  const Image shown = compose_view(picture.view, picture.composite.picture);
+  ManifestStimulus record{.id = stimulus_id(stimulus),
+                          .stimulus = stimulus,
+                          .isolation = stimulus.isolation,
+                          .image = "stimuli/" + stimulus_id(stimulus) + ".png",
+                          .object_ids = click_map_picture(truth_of(stimulus)),
+                          .reference = reference_picture(truth_of(stimulus)),
+                          .spp = layers.spp,
+                          .rays = layers.rays,
+                          .rmse = picture.made.rmse,
+                          .mesh = {},
+                          .tiny_denominators = picture.composite.tiny_denominators,
+                          .clipped_share = clipped_share(shown, picture.exposure_ev),
+                          .sha256 = {}};
+  write_png(set_folder / record.image,
+            shown_bytes(picture.view, shown, picture.exposure_ev, picture.planar_m));
+  record.sha256 = sha256_of_file(set_folder / record.image);
+  return record;
+}
+
+ManifestReference write_reference(const fs::path& set_folder, const std::string& truth,
+                                  const ReferencePicture& picture) {
+  const SceneReference& reference = picture.made;
+  require_numbers(reference.radiance, "scene \"" + truth + "\"");
+  ManifestReference record{.truth = truth,
+                           .image = reference_picture(truth),
+                           .object_ids = click_map_picture(truth),
+                           .image_sha256 = {},
+                           .object_ids_sha256 = {}};
+  write_png(set_folder / record.image,
+            shown_bytes(picture.view, compose_view(picture.view, reference.radiance), picture.exposure_ev,
+                        picture.planar_m));
+  write_png(set_folder / record.object_ids, view_click_map(picture.view, reference.object_ids));
+  record.image_sha256 = sha256_of_file(set_folder / record.image);
+  record.object_ids_sha256 = sha256_of_file(set_folder / record.object_ids);
+  return record;
+}
+
+}  // namespace seamline::renderer

@@ -1,0 +1,95 @@
+#include "sets/set_work.h"
+
+#include <algorithm>
+#include <map>
+
+#include "sets/set_layers.h"
+#include "support/text/error.h"
+
+namespace seamline::renderer {
+
+bool SetWork::is_pending(const std::string& truth) const {
+  return std::any_of(pending.begin(), pending.end(),
+                     [&](const PendingStimulus& work) { return truth_of(work.stimulus) == truth; });
+}
+
+InputError no_such_stimulus(const StudyDefinition& study, const std::string& only) {
+  return input_error({.file = study.file.string(),
+                      .field = "--only",
+                      .wanted = "a pattern that matches a stimulus id",
+                      .found = "\"" + only + "\""});
+}
+
+SetWork find_work(const StudyDefinition& study, const RenderRequest& request, const InputHashes& hashes,
+                  const SetRecords& records) {
+  SetWork work;
+  std::map<std::string, int> objects;  // in study order, for sharing out
+  for (const Stimulus& stimulus : list_stimuli(study)) {
+    if (!matches_pattern(stimulus_id(stimulus), request.only)) continue;
+    const bool is_asked = request.ids.empty() || request.ids.contains(stimulus_id(stimulus));
+    if (is_asked) work.selected_truths.insert(truth_of(stimulus));
+    const auto [object, added] =
+        objects.emplace(truth_of(stimulus) + "/" + stimulus.object, static_cast<int>(objects.size()));
+    if (object->second % request.shard_count != request.shard - 1) continue;
+    if (!is_asked) continue;
+    const std::string inputs = hashes.of_stimulus(stimulus);
+    if (records.finished(stimulus_id(stimulus), inputs) &&
+        !(request.layers && !has_layers(request.set_folder, stimulus, inputs)))
+      ++work.already_finished;
+    else
+      work.pending.push_back({stimulus, inputs});
+  }
+  if (work.selected_truths.empty()) throw no_such_stimulus(study, request.only);
+  return work;
+}
+
+WorkList list_work(const StudyDefinition& study, const std::string& only, const InputHashes& hashes,
+                   const std::string& job) {
+  WorkList list{.study = study.name, .job = job, .stimuli = {}, .references = {}};
+  std::set<std::string> truths;
+  for (const Stimulus& stimulus : list_stimuli(study))
+    if (matches_pattern(stimulus_id(stimulus), only)) {
+      list.stimuli.push_back({stimulus_id(stimulus), hashes.of_stimulus(stimulus), truth_of(stimulus)});
+      truths.insert(truth_of(stimulus));
+    }
+  for (const SceneDefinition& scene : list_truths(study))
+    if (truths.contains(scene.truth))
+      list.references.push_back({scene.truth, hashes.of_reference(scene.truth)});
+  return list;
+}
+
+Answers asked_of_depth(const StudyDefinition& study, const SceneDefinition& truth) {
+  std::set<std::pair<Artifact, Isolation>> asking;
+  for (const Stimulus& stimulus : list_stimuli(study))
+    if (truth_of(stimulus) == truth_of(truth)) asking.insert({stimulus.artifact, stimulus.isolation});
+  std::vector<Recipe> recipes;
+  for (const auto& [artifact, isolation] : asking) recipes.push_back(recipe(artifact, isolation));
+  return asked_by_any(recipes);
+}
+
+WorkWeights work_weights(Estimator estimator) {
+  switch (estimator) {
+    case Estimator::fast:
+      return {.reference = 20, .truth = 0.3, .mesh = 0.5, .stimulus = 1};
+    case Estimator::path:
+      return {.reference = 1, .truth = 1.5, .mesh = 0.2, .stimulus = 2};
+  }
+  return {};
+}
+
+double total_weight(const SetWork& work, const WorkWeights& weights) {
+  std::set<std::string> truths, objects;
+  std::set<std::pair<std::string, DepthSettings>> meshes;
+  for (const PendingStimulus& pending : work.pending) {
+    const Stimulus& stimulus = pending.stimulus;
+    truths.insert(truth_of(stimulus));
+    objects.insert(truth_of(stimulus) + "/" + stimulus.object);
+    meshes.insert({truth_of(stimulus) + "/" + stimulus.object, stimulus.depth});
+  }
+  return static_cast<double>(truths.size()) * weights.reference +
+         static_cast<double>(objects.size()) * weights.truth +
+         static_cast<double>(meshes.size()) * weights.mesh +
+         static_cast<double>(work.pending.size()) * weights.stimulus;
+}
+
+}  // namespace seamline::renderer

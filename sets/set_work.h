@@ -1,0 +1,52 @@
+#pragma once
+#include <set>
+#include <string>
+#include <vector>
+
+#include "renderer/transport/answers.h"
+#include "sets/render_set.h"
+#include "sets/sharing/work_list.h"
+#include "support/text/error.h"
+
+namespace seamline::renderer {
+
+/// A stimulus to render, and the hash of what its picture depends on.
+struct PendingStimulus {
+  Stimulus stimulus;
+  std::string inputs;
+};
+
+/// What a render job has to do.
+struct SetWork {
+  std::vector<PendingStimulus> pending;
+  std::set<std::string> selected_truths;  ///< that some stimulus asked for belongs to
+  int already_finished = 0;
+
+  [[nodiscard]] bool is_pending(const std::string& truth) const;
+};
+
+/// That no stimulus of the study matches `--only`.
+[[nodiscard]] InputError no_such_stimulus(const StudyDefinition& study, const std::string& only);
+
+/// Stimuli that match `--only`, belong to this shard and are not finished. Shards share out the virtual
+/// objects of all scenes, because stimuli of one object share its truth. Throws InputError when the pattern
+/// matches none.
+[[nodiscard]] SetWork find_work(const StudyDefinition& study, const RenderRequest& request,
+                                const InputHashes& hashes, const SetRecords& records);
+
+/// What a job makes that renders the stimuli that match `only`: these, and the references of their truths.
+[[nodiscard]] WorkList list_work(const StudyDefinition& study, const std::string& only,
+                                 const InputHashes& hashes, const std::string& job);
+
+/// What any stimulus of a truth asks of the depth mesh, whichever are left to render: a set that was
+/// interrupted has the same bytes.
+[[nodiscard]] Answers asked_of_depth(const StudyDefinition& study, const SceneDefinition& truth);
+
+/// Weights of the progress bar, about seconds: the fast estimator does most of its work once a scene.
+struct WorkWeights {
+  double reference = 0, truth = 0, mesh = 0, stimulus = 0;
+};
+[[nodiscard]] WorkWeights work_weights(Estimator estimator);
+[[nodiscard]] double total_weight(const SetWork& work, const WorkWeights& weights);
+
+}  // namespace seamline::renderer

@@ -1,0 +1,35 @@
+#include "sets/timings.h"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "support/files/atomic_file.h"
+
+namespace seamline::renderer {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string processor_name() {
+  std::ifstream cpuinfo("/proc/cpuinfo");
+  for (std::string line; std::getline(cpuinfo, line);)
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  return "unknown";
+}
+
+}  // namespace
+
+void Timings::write(double total_seconds) const {
+  Json json = std::filesystem::exists(path_) ? Json::parse(read_file(path_), nullptr, false) : Json();
+  if (!json.is_object() || (json.contains("pieces") && !json["pieces"].is_object())) json = Json::object();
+  json["threads"] = threads_;
+  json["machine"] = processor_name();
+  if (!pieces_.empty()) json["seconds"] = total_seconds;
+  for (const Piece& piece : pieces_) {
+    Json& line = json["pieces"][piece.name] = {{"seconds", piece.seconds}, {"rays", piece.rays}};
+    if (piece.worst_tile) line["worst_tile"] = *piece.worst_tile;
+  }
+  write_file_atomically(path_, json.dump(1) + "\n");
+}
+
+}  // namespace seamline::renderer

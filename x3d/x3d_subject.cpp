@@ -1,0 +1,154 @@
+#include "x3d/x3d_subject.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "raytracer/common/parallel.h"
+#include "raytracer/scene/truth_scene.h"
+#include "renderer/depth/local_scene.h"
+#include "renderer/depth/sensor/sensor_pose.h"
+#include "renderer/estimators/rig_photograph.h"
+#include "stimuli/set/clip_set.h"
+#include "stimuli/set/set_study.h"
+#include "stimuli/study_file/study_file.h"
+#include "support/files/assets.h"
+#include "support/running/progress.h"
+#include "support/text/error.h"
+
+namespace seamline::renderer {
+namespace fs = std::filesystem;
+namespace {
+
+int threads_of(const X3dRequest& request) {
+  return request.threads > 0 ? request.threads : default_thread_count();
+}
+
+Image photograph(const Geometry& scene, const Light& light, const Camera& camera, const X3dRequest& request) {
+  Progress progress("photograph", 1.0);
+  return photograph_scene(scene, light, camera,
+                          {.spp = request.spp,
+                           .seed = request.seed,
+                           .threads = threads_of(request),
+                           .progress = [&, last = 0.0](double share) mutable {
+                             progress.advance(share - last, "");
+                             last = share;
+                           }});
+}
+
+/// The study, whose scene files are needed again.
+StudyDefinition study_of(const X3dRequest& request, const Manifest& manifest) {
+  refuse_clips(request.source, "X3D");
+  (void)study_of_set(request.source, manifest);  // the hash is the manifest's
+  return read_study(study_file_of_set(request.source, manifest), AssetCheck::must_exist, request.asset_root);
+}
+
+const ManifestStimulus& chosen_stimulus(const X3dRequest& request, const Manifest& manifest) {
+  const std::string file = (fs::path(request.source) / "manifest.json").string();
+  if (manifest.stimuli.empty())
+    throw input_error({.file = file, .wanted = "a set with stimuli", .found = "none"});
+  if (request.stimulus.empty()) return manifest.stimuli.front();
+  for (const ManifestStimulus& one : manifest.stimuli)
+    if (one.id == request.stimulus) return one;
+  throw input_error({.file = file,
+                     .field = "--stimulus",
+                     .wanted = "one of the set, like " + manifest.stimuli.front().id,
+                     .found = request.stimulus});
+}
+
+SceneDefinition truth_definition(const StudyDefinition& study, const Stimulus& stimulus) {
+  for (const SceneDefinition& scene : list_truths(study))
+    if (truth_of(scene) == truth_of(stimulus)) return scene;
+  throw input_error({.file = study.file.string(),
+                     .field = "scene",
+                     .wanted = "the scene " + truth_of(stimulus),
+                     .found = "none of that name"});
+}
+
+void require_light(const Light& light, const std::string& source) {
+  const bool shines = !light.suns.empty() || !light.lamps.empty() || light.environment != nullptr ||
+                      light.glowing != nullptr || (light.environment_radiance > 0.0F).any();
+  if (!shines)
+    throw input_error({.file = source,
+                       .wanted = "a light, a lamp or a surface that emits, or --environment or --to-sun with "
+                                 "--sun-irradiance",
+                       .found = "none"});
+}
+
+}  // namespace
+
+X3dSubject subject_of_set(const X3dRequest& request) {
+  const Manifest manifest = read_manifest(request.source);
+  const ManifestStimulus& record = chosen_stimulus(request, manifest);
+  const StudyDefinition study = study_of(request, manifest);
+  const Stimulus& stimulus = record.stimulus;
+  TruthScene scene =
+      load_truth_scene(truth_definition(study, stimulus), manifest.width_px, manifest.height_px);
+  const int threads = threads_of(request);
+  const Geometry truth = scene.geometry_without(stimulus.object_index);
+
+  X3dSubject subject;
+  subject.title = record.id;
+  subject.camera = scene.camera;
+  subject.camera_position_m = scene.camera_position_m;
+  subject.exposure_ev = scene.definition.exposure_ev;
+  subject.albedo = scene.definition.albedo;
+  subject.light = scene.light;
+  subject.objects = scene.objects.at(static_cast<std::size_t>(stimulus.object_index - 1));
+  subject.photograph = photograph(truth, subject.light, subject.camera, request);
+  DepthSettings settings = stimulus.depth;
+  if (settings.mitigation != Mitigation{} || settings.pipeline != Pipeline{})
+    subject.notes.push_back("the stimulus' mitigation and pipeline are not shown: the page has its own");
+  settings.mitigation = {};
+  settings.pipeline = {};
+  LocalScene local = make_local_scene(truth, settings,
+                                      {.albedo = subject.albedo,
+                                       .threads = threads,
+                                       .photograph = subject.camera,
+                                       .picture = &subject.photograph});
+  subject.depth = std::make_shared<const Geometry>(std::move(local.geometry));
+  return subject;
+}
+
+X3dSubject subject_of_scene(const X3dRequest& request) {
+  if (std::error_code error;
+      !request.source.starts_with("builtin:") && !std::filesystem::exists(request.source, error))
+    throw input_error({.file = request.source,
+                       .wanted = "a rendered set, or a scene: .glb, .gltf or builtin:NAME",
+                       .found = "nothing of that name"});
+  if (!request.object)
+    throw input_error({.field = "--object",
+                       .wanted = "what is put into the scene: .glb, .gltf or builtin:NAME",
+                       .found = "none"});
+  const SceneFile file = read_scene_file(resolve_named_file(request.source, "SET_OR_SCENE"));
+  if (file.meshes.empty())
+    throw input_error({.file = request.source, .wanted = "a scene with triangles", .found = "none"});
+  if (!request.light.camera && !file.camera)
+    throw input_error({.file = request.source,
+                       .wanted = "a camera in the scene, or --at X Y Z and --look-at X Y Z",
+                       .found = "neither"});
+  X3dSubject subject;
+  subject.title = fs::path(request.source).filename().string() + " with " +
+                  fs::path(request.object->file).filename().string();
+  subject.camera =
+      scene_camera(request.light, file, request.width_px, request.height_px, subject.camera_position_m);
+  if (request.fov_deg)
+    subject.camera.tan_half_horizontal =
+        static_cast<float>(std::tan(0.5 * *request.fov_deg * std::numbers::pi / 180));
+  subject.exposure_ev = request.light.exposure_ev;
+  subject.albedo = request.light.albedo;
+  const auto meshes =
+      place_meshes(file, Eigen::Affine3d::Identity(), subject.camera_position_m, request.light.albedo, 0);
+  subject.light = scene_light(request.light, file, subject.camera_position_m);
+  add_glowing(meshes, subject.light);
+  require_light(subject.light, request.source);
+  PhotoObjects placed = place_objects({*request.object}, subject.camera_position_m);
+  subject.objects = std::move(placed.meshes);
+  subject.notes = std::move(placed.left_out);
+  subject.depth = std::make_shared<const Geometry>(meshes);
+  subject.photograph = photograph(*subject.depth, subject.light, subject.camera, request);
+  return subject;
+}
+
+}  // namespace seamline::renderer
