@@ -49,7 +49,7 @@ int main(int argc, char** argv) {
   try {
     if (argc != 4) throw InputError("usage: seamline_synthetic_set STUDY.toml SET ONLY");
     const StudyDefinition study = read_study(argv[1]);
-    // As an element of a job, so that `--status` knows the set.
+    // As an element of a job, so that `job status` knows the set.
     RenderRequest first{.set_folder = argv[2], .part = JobPart::stimuli, .element = "stimuli-1"};
     for (const Stimulus& stimulus : list_stimuli(study))
       if (matches_pattern(stimulus_id(stimulus), argv[3])) first.ids.insert(stimulus_id(stimulus));

@@ -1,7 +1,7 @@
-# The page of `seamline export SET --web DIR`: ours from study/online/page/web, its modules put into one file by esbuild
+# The page of `seamline export web SET DIR`: ours from study/online/page/web, its modules put into one file by esbuild
 # (Debian's), because a class that opens it at once asks for every file sixty times; and jsPsych from the npm registry, pinned.
 # Laid together in the build folder, from where it is installed to share/seamline/web.
-set(SEAMLINE_WEB AUTO CACHE STRING "build `seamline export --web`: AUTO, ON or OFF")
+set(SEAMLINE_WEB AUTO CACHE STRING "build `seamline export web`: AUTO, ON or OFF")
 set_property(CACHE SEAMLINE_WEB PROPERTY STRINGS AUTO ON OFF)
 set(SEAMLINE_JSPSYCH "" CACHE FILEPATH "jspsych-8.3.0.tgz of the npm registry, for machines without network")
 set(SEAMLINE_WEB_FOLDER ${PROJECT_BINARY_DIR}/web)

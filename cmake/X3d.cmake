@@ -1,6 +1,6 @@
-# The page of `seamline export SET_OR_SCENE --x3d DIR`: ours from x3d/page, and X3DOM from the npm registry, pinned.
+# The page of `seamline export x3d SET_OR_SCENE DIR`: ours from x3d/page, and X3DOM from the npm registry, pinned.
 # Laid together in the build folder, from where it is installed to share/seamline/x3d.
-set(SEAMLINE_X3D AUTO CACHE STRING "build `seamline export --x3d`: AUTO, ON or OFF")
+set(SEAMLINE_X3D AUTO CACHE STRING "build `seamline export x3d`: AUTO, ON or OFF")
 set_property(CACHE SEAMLINE_X3D PROPERTY STRINGS AUTO ON OFF)
 set(SEAMLINE_X3DOM "" CACHE FILEPATH "x3dom-1.8.3.tgz of the npm registry, for machines without network")
 set(SEAMLINE_X3D_FOLDER ${PROJECT_BINARY_DIR}/x3d)

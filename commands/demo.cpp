@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "commands/study/analyze_command.h"
+#include "analysis/analyze_log.h"
 #include "sets/render_set.h"
 #include "stimuli/study_file/study_file.h"
 #include "study/running/simulation.h"

@@ -3,20 +3,43 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
+#include <functional>
 
-#include "commands/analysis_commands.h"
 #include "commands/answers/export_command.h"
+#include "commands/answers/fit_command.h"
+#include "commands/answers/gathering_command.h"
+#include "commands/answers/log_command.h"
 #include "commands/demo.h"
-#include "commands/depth_cameras/live_commands.h"
-#include "commands/depth_cameras/registration_commands.h"
+#include "commands/depth_cameras/calibrate_command.h"
+#include "commands/depth_cameras/live_command.h"
+#include "commands/depth_cameras/record_command.h"
+#include "commands/depth_cameras/register_command.h"
+#include "commands/depth_cameras/relight_command.h"
+#include "commands/depth_cameras/sense_command.h"
+#include "commands/depth_cameras/settle_command.h"
+#include "commands/depth_cameras/workbench_command.h"
+#include "commands/evidence/bench_command.h"
+#include "commands/evidence/convergence_command.h"
+#include "commands/evidence/field_command.h"
+#include "commands/evidence/marker_command.h"
+#include "commands/evidence/person_command.h"
 #include "commands/evidence/stability_command.h"
+#include "commands/former_spelling.h"
 #include "commands/options/command_help.h"
-#include "commands/photographs/x3d_options.h"
-#include "commands/renderer_commands.h"
+#include "commands/photographs/composite_command.h"
+#include "commands/photographs/flip_command.h"
+#include "commands/photographs/picture_command.h"
+#include "commands/photographs/views_command.h"
+#include "commands/planning/freeze_command.h"
+#include "commands/planning/plan_command.h"
+#include "commands/planning/predict_command.h"
+#include "commands/study/analyze_command.h"
 #include "commands/study/ask_command.h"
+#include "commands/study/check_command.h"
+#include "commands/study/job_command.h"
+#include "commands/study/render_command.h"
 #include "commands/study/serve_command.h"
-#include "commands/study/study_commands.h"
+#include "commands/study/study_command.h"
 #include "support/files/assets.h"
 #include "support/text/error.h"
 #ifdef SEAMLINE_HAS_WINDOW
@@ -29,45 +52,62 @@ namespace seamline {
 
 namespace {
 
-/// The commands of --help, under what they are for, in the order in which they are used.
-struct CommandGroup {
-  const char* name;
-  std::vector<const char*> commands;
-};
-
-const std::vector<CommandGroup>& command_groups() {
-  static const std::vector<CommandGroup> groups = {
-      {"A study", {"demo", "check", "render", "verify", "study", "serve", "ask", "analyze"}},
-      {"Before it", {"plan", "predict", "freeze"}},
-      {"Answers", {"log", "import", "merge", "export", "fit"}},
-      {"Photographs", {"place", "composite", "picture", "flip", "views"}},
-      {"Depth cameras",
-       {"register", "calibrate", "sense", "record", "live", "settle", "relight", "capture", "mesh"}},
-      {"Evidence", {"lab"}}};
-  return groups;
-}
-
-void group_commands(CLI::App& app) {
-  for (const CommandGroup& group : command_groups())
-    for (const char* name : group.commands) app.get_subcommand(name)->group(group.name);
-}
-
-/// --help lists commands as they stand here, whatever library adds them first.
-void order_commands(CLI::App& app) {
-  for (const CommandGroup& group : command_groups())
-    for (const char* name : group.commands) {
-      const CLI::App_p command = app.get_subcommand_ptr(name);
-      app.remove_subcommand(command.get());
-      app.add_subcommand(command);
-    }
-}
-
 /// `lab`: what shows how well the program itself works, and what only figures of the papers need.
 void add_lab(CLI::App& app, bool& any_case_failed) {
   CLI::App* lab = app.add_subcommand("lab", "bench, convergence, stability; marker, person, field");
   lab->require_subcommand(1);
-  renderer::add_lab_commands(*lab);
+  renderer::add_bench_command(*lab);
+  renderer::add_convergence_command(*lab);
+  renderer::add_marker_command(*lab);
+  renderer::add_person_command(*lab);
+  renderer::add_field_command(*lab);
   stability::add_stability_command(*lab, any_case_failed);
+}
+
+/// What this build has of a window.
+struct Windows {
+  study::ParticipantRunner of_study = study::refuse_without_window;
+  renderer::PlaceInWindow of_place = nullptr;
+  live::ShowInWindow of_live = {};
+};
+
+Windows windows() {
+#ifdef SEAMLINE_HAS_WINDOW
+  return {study::app::run_participant_in_window, place::place_in_window, live::show_live};
+#else
+  return {};
+#endif
+}
+
+/// Commands of one group of --help.
+using AddCommand = std::function<void(CLI::App&)>;
+
+struct CommandGroup {
+  const char* name;
+  std::vector<AddCommand> commands;  ///< in the order in which they are used
+};
+
+std::vector<CommandGroup> command_groups(bool& any_case_failed) {
+  const Windows shown = windows();
+  return {
+      {"A study",
+       {add_demo_command, renderer::add_check_command, renderer::add_render_command,
+        renderer::add_job_command, [shown](CLI::App& app) { study::add_study_command(app, shown.of_study); },
+        study::online::add_serve_command, study::online::add_ask_command, analysis::add_analyze_command}},
+      {"Before it",
+       {analysis::add_plan_command, analysis::add_predict_command, analysis::add_freeze_command}},
+      {"Answers",
+       {study::add_log_command, study::online::add_gathering_commands, study::online::add_export_command,
+        analysis::add_fit_command}},
+      {"Photographs",
+       {[shown](CLI::App& app) { renderer::add_place_command(app, shown.of_place); },
+        renderer::add_composite_command, renderer::add_picture_command, renderer::add_flip_command,
+        renderer::add_views_command}},
+      {"Depth cameras",
+       {registration::add_register_command, registration::add_calibrate_command, renderer::add_sense_command,
+        live::add_record_command, [shown](CLI::App& app) { live::add_live_command(app, shown.of_live); },
+        renderer::add_settle_command, renderer::add_relight_command, renderer::add_workbench_commands}},
+      {"Evidence", {[&any_case_failed](CLI::App& app) { add_lab(app, any_case_failed); }}}};
 }
 
 /// An empty text is most often a variable of the shell that is not set: `--slurm "$JOB"` would render
@@ -94,42 +134,15 @@ std::unique_ptr<CLI::App> program(bool& any_case_failed) {
   app->set_version_flag("--version", "seamline " + program_version());
   app->require_subcommand(1);
   app->formatter(help_formatter());
-  add_demo_command(*app);
-#ifdef SEAMLINE_HAS_WINDOW
-  renderer::add_renderer_commands(*app, place::place_in_window);
-  study::add_study_commands(*app, study::app::run_participant_in_window);
-  live::add_live_commands(*app, live::show_live);
-#else
-  renderer::add_renderer_commands(*app);
-  study::add_study_commands(*app);
-  live::add_live_commands(*app);
-#endif
-  study::online::add_serve_command(*app);
-  study::online::add_ask_command(*app);
-  study::online::add_gathering_commands(*app);
-  study::online::add_export_command(*app, [](CLI::App& command) {
-    const renderer::X3dExport x3d = renderer::add_x3d_options(command);
-    return study::online::OtherPage{.flag = "--x3d", .is_asked = x3d.is_asked, .write = x3d.write};
-  });
-  analysis::add_analysis_commands(*app);
-  registration::add_registration_commands(*app);
-  add_lab(*app, any_case_failed);
-  app->get_subcommand("analyze")->alias("analyse");
-  order_commands(*app);
-  group_commands(*app);
+  for (const CommandGroup& group : command_groups(any_case_failed))
+    for (const AddCommand& add : group.commands) {
+      const std::vector<CLI::App*> before = app->get_subcommands({});
+      add(*app);
+      for (CLI::App* command : app->get_subcommands({}))
+        if (std::find(before.begin(), before.end(), command) == before.end()) command->group(group.name);
+    }
   refuse_empty_texts(*app);
   return app;
-}
-
-std::vector<std::string> todays_spelling(std::vector<std::string> arguments) {
-  if (arguments.empty()) return arguments;
-  static const std::vector<std::string> moved = {"bench",  "convergence", "stability",
-                                                 "marker", "person",      "field"};
-  if (std::find(moved.begin(), moved.end(), arguments.front()) == moved.end()) return arguments;
-  std::fprintf(stderr, "seamline: %s is now lab %s; the old spelling ends with the next version\n",
-               arguments.front().c_str(), arguments.front().c_str());
-  arguments.insert(arguments.begin(), "lab");
-  return arguments;
 }
 
 }  // namespace seamline

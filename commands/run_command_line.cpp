@@ -8,6 +8,7 @@
 #include <new>
 #include <sstream>
 
+#include "commands/former_spelling.h"
 #include "commands/options/command_help.h"
 #include "commands/program.h"
 #include "support/running/interrupt.h"

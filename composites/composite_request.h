@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "composites/photo_depth.h"
-#include "composites/photo_objects.h"
+#include "composites/objects/photo_objects.h"
 #include "composites/photograph.h"
 #include "sensors/frame/depth_test.h"
 #include "stimuli/definition/study_definition.h"

@@ -1,6 +1,6 @@
 #include "composites/fast_photo.h"
 
-#include "composites/photo_objects.h"
+#include "composites/objects/photo_objects.h"
 #include "renderer/estimators/fast/fast_stimulus.h"
 #include "renderer/estimators/fast/fast_truth_pass.h"
 

@@ -11,7 +11,7 @@
 #include "composites/composite_request.h"
 #include "composites/fast_photo.h"
 #include "composites/photo_world.h"
-#include "composites/placing.h"
+#include "composites/objects/placing.h"
 #include "composites/seamless_width.h"
 #include "raytracer/common/parallel.h"
 #include "raytracer/common/stopwatch.h"

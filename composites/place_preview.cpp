@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "composites/change_probe.h"
-#include "composites/placing.h"
+#include "composites/objects/placing.h"
 
 namespace seamline::renderer {
 namespace {

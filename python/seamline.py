@@ -104,7 +104,7 @@ def read_table(path: PathLike) -> list[dict[str, str]]:
 
 def _exported(log: PathLike, name: str) -> list[dict[str, Any]]:
     with tempfile.TemporaryDirectory() as folder:
-        run("export", log, csv=str(Path(folder) / "tables"))
+        run("export", "tables", log, str(Path(folder) / "tables"))
         rows = read_table(Path(folder) / "tables" / name)
     return [{column: _value(column, text) for column, text in row.items()} for row in rows]
 
@@ -112,7 +112,7 @@ def _exported(log: PathLike, name: str) -> list[dict[str, Any]]:
 def answers(log: PathLike) -> list[dict[str, Any]]:
     """Every answer to a stimulus in a log, also of people who are excluded or trial runs.
 
-    Keys are the columns of `seamline export --csv`: participant, stimulus_id, scene, artifact, object,
+    Keys are the columns of `seamline export tables`: participant, stimulus_id, scene, artifact, object,
     condition, level, correct, rating, noticeability, choice_s, rating_s, ...
     """
     return _exported(log, "answers.csv")

@@ -32,7 +32,7 @@ fs::path page_folder() {
   std::error_code error;
   for (const char* name : carried)
     if (!fs::is_regular_file(folder / name, error))
-      throw input_error({.field = "--x3d",
+      throw input_error({.field = "seamline export x3d",
                          .wanted = "a seamline that was built with X3DOM (SEAMLINE_X3D)",
                          .found = "one without"});
   return folder;

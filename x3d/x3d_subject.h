@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "composites/photo_objects.h"
+#include "composites/objects/photo_objects.h"
 #include "raytracer/light/light.h"
 #include "raytracer/scene/camera.h"
 #include "raytracer/tracing/geometry.h"
@@ -14,7 +14,7 @@
 
 namespace seamline::renderer {
 
-/// What `seamline export SET_OR_SCENE --x3d DIR` asks for.
+/// What `seamline export x3d SET_OR_SCENE DIR` asks for.
 struct X3dRequest {
   std::string source;  ///< a set's folder, or a scene: .glb, .gltf or builtin:NAME
   std::filesystem::path out_folder;

@@ -20,6 +20,6 @@ void set_aside_adaptive(Analysis& analysis);
 inline constexpr const char* adaptive_note =
     "Levels were placed by the answers (QUEST+), so means at a level are over different people and only "
     "describe the answers: the paper's way has no numbers. Thresholds are of the joint model with each "
-    "person's own thresholds, over participants. 'seamline log LOG --tracks' prints those of each person.";
+    "person's own thresholds, over participants. 'seamline log tracks LOG' prints those of each person.";
 
 }  // namespace seamline::analysis

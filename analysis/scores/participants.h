@@ -16,7 +16,7 @@ inline constexpr const char* technical_question = "technical_background";
 /// verdict is counted.
 enum class Use {
   used,
-  excluded,    ///< the researcher excluded them (`seamline log --exclude`)
+  excluded,    ///< the researcher excluded them (`seamline log exclude`)
   pilot,       ///< pilot data, and `--include-pilot` was not given
   incomplete,  ///< the session was not finished: their means would be over other stimuli than everybody
                ///< else's

@@ -6,14 +6,11 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
-#include <vector>
 
-#include "commands/options/command_help.h"
+#include "commands/photographs/x3d_command.h"
 #include "stimuli/set/clip_video.h"
 #include "study/exchange/export_tables.h"
 #include "study/online/page/web_export.h"
-#include "support/text/error.h"
 #include "support/text/number_option.h"
 
 namespace seamline::study::online {
@@ -22,20 +19,30 @@ namespace {
 constexpr double most_slots = 9999;
 constexpr int usual_k = 5;
 
-struct ExportOptions {
-  std::string source;
-  std::string web, csv, psych_ds, bids, y4m;
-  std::optional<int> slots, k;
-  bool serve = false, jatos = false, pilot = false, anonymise = false;
+struct WebOptions {
+  std::string set, folder;
+  std::optional<int> slots;
+  bool serve = false, jatos = false, pilot = false;
 };
 
-void run_tables(const ExportOptions& options, const std::string& folder, TableLayout layout) {
+struct TablesOptions {
+  std::string log, folder, layout = "csv";
+  std::optional<int> k;
+  bool anonymise = false;
+};
+
+TableLayout layout_of(const std::string& word) {
+  if (word == "psych-ds") return TableLayout::psych_ds;
+  return word == "bids" ? TableLayout::bids : TableLayout::plain;
+}
+
+void run_tables(const TablesOptions& options) {
   const TableSummary summary = export_tables(
-      {.log = options.source,
-       .out_folder = folder,
+      {.log = options.log,
+       .out_folder = options.folder,
        .anonymise_k = options.anonymise ? std::optional(options.k.value_or(usual_k)) : std::nullopt,
-       .layout = layout});
-  fmt::print("{}: {} answers of {} participants\n", folder, summary.answers, summary.participants);
+       .layout = layout_of(options.layout)});
+  fmt::print("{}: {} answers of {} participants\n", options.folder, summary.answers, summary.participants);
   if (!summary.anonymity) return;
   const Anonymity& anonymity = *summary.anonymity;
   for (const GroupedField& field : summary.fields)
@@ -58,39 +65,15 @@ void run_tables(const ExportOptions& options, const std::string& folder, TableLa
                anonymity.k);
 }
 
-void run_export(const ExportOptions& options, const OtherPage& other) {
-  std::vector<std::string> asked;
-  for (const auto& [folder, flag] : {std::pair(options.web, "--web"), std::pair(options.csv, "--csv"),
-                                     std::pair(options.psych_ds, "--psych-ds"),
-                                     std::pair(options.bids, "--bids"), std::pair(options.y4m, "--y4m")})
-    if (!folder.empty()) asked.emplace_back(flag);
-  if (other.is_asked()) asked.push_back(other.flag);
-  if (asked.size() != 1)
-    throw input_error(
-        {.field = "seamline export",
-         .wanted =
-             fmt::format("--web DIR or --y4m DIR with a set, {} DIR with a set or a scene, or one of --csv, "
-                         "--psych-ds and --bids DIR with a log",
-                         other.flag),
-         .found = asked.empty() ? "nothing to write" : fmt::format("{}", fmt::join(asked, " and "))});
-  if (options.anonymise && (!options.web.empty() || !options.y4m.empty() || other.is_asked()))
-    throw input_error({.field = "--anonymise", .wanted = "a log's tables to write", .found = asked.front()});
-  if (other.is_asked()) return other.write(options.source);
-  if (!options.y4m.empty()) {
-    const int written = write_videos(options.source, options.y4m);
-    return fmt::print("{}: {} videos\n", options.y4m, written);
-  }
-  if (!options.csv.empty()) return run_tables(options, options.csv, TableLayout::plain);
-  if (!options.psych_ds.empty()) return run_tables(options, options.psych_ds, TableLayout::psych_ds);
-  if (!options.bids.empty()) return run_tables(options, options.bids, TableLayout::bids);
-  const WebSummary summary = export_web({.set_folder = options.source,
-                                         .out_folder = options.web,
+void run_web(const WebOptions& options) {
+  const WebSummary summary = export_web({.set_folder = options.set,
+                                         .out_folder = options.folder,
                                          .slots = options.slots,
                                          .host = options.serve   ? Origin::serve
                                                  : options.jatos ? Origin::jatos
                                                                  : Origin::static_host,
                                          .pilot = options.pilot});
-  fmt::print("{}: {} files, {:.1f} MB, {} pictures, {}\n", options.web, summary.files,
+  fmt::print("{}: {} files, {:.1f} MB, {} pictures, {}\n", options.folder, summary.files,
              static_cast<double>(summary.bytes) / 1e6, summary.pictures,
              summary.adaptive ? std::string("trials placed by `seamline serve`")
                               : fmt::format("{} orders", summary.slots));
@@ -103,52 +86,67 @@ void run_export(const ExportOptions& options, const OtherPage& other) {
         "seed of 15 digits that nobody knows.\n");
 }
 
-}  // namespace
-
-void add_export_command(CLI::App& app, const AddOtherPage& add_other_page) {
-  const auto options = std::make_shared<ExportOptions>();
-  CLI::App* command =
-      app.add_subcommand("export", "a study as a page for browsers, a log as tables, a scene in X3D");
+void add_web(CLI::App& group) {
+  const auto options = std::make_shared<WebOptions>();
+  CLI::App* command = group.add_subcommand("web", "a set as a page for browsers");
+  command->add_option("set", options->set, "folder of the rendered set")->required();
   command
-      ->add_option(
-          "source", options->source,
-          "folder of the rendered set for --web, --y4m and --x3d (there also a scene: .glb, .gltf or "
-          "builtin:NAME), else the log, LOG.sqlite")
+      ->add_option("folder", options->folder,
+                   "folder for the page, for a host of files unless --serve or --jatos is said; whole or not "
+                   "at all")
       ->required();
-  CLI::Option* web = command->add_option(
-      "--web", options->web,
-      "folder for the page, for a host of files unless --serve or --jatos is said; whole or not at all");
-  command->add_option("--csv", options->csv,
-                      "folder for tables: answers, catch answers, participants, dictionary");
-  command->add_option("--psych-ds", options->psych_ds,
-                      "folder for the same tables in the layout of Psych-DS");
-  command->add_option("--bids", options->bids,
-                      "folder for the same answers in the layout of BIDS (behaviour)");
-  command->add_option("--y4m", options->y4m,
-                      "folder for a set's clips as uncompressed video, for programs that measure video");
-  CLI::Option* anonymise =
-      command->add_flag("--anonymise", options->anonymise,
-                        "of tables: new codes, times to a tenth of a second, nothing that tells who came "
-                        "when, rows of people grouped");
-  add_number(*command, "--k", options->k, {2, 1000}, "of --anonymise: the smallest group (else 5)")
-      ->needs(anonymise);
   add_number(*command, "--slots", options->slots, {1, most_slots},
-             "orders to plan (the study's session.orders, else 200)")
-      ->needs(web);
+             "orders to plan (the study's session.orders, else 200)");
   CLI::Option* serve = command->add_flag("--serve", options->serve,
                                          "`seamline serve` will host it, which an adaptive study needs");
-  serve->needs(web);
-  command->add_flag("--jatos", options->jatos, "JATOS will host it")->needs(web)->excludes(serve);
-  command->add_flag("--pilot", options->pilot, "everybody is a trial run, and may see the shipped consent")
-      ->needs(web);
-  const OtherPage other = add_other_page(*command);
-  group_options(*command, {{"A page in X3D",
-                            {"--x3d",      "--stimulus", "--asset-root",  "--object", "--position",
-                             "--rotation", "--scale",    "--height",      "--at",     "--look-at",
-                             "--fov",      "--size",     "--environment", "--to-sun", "--sun-irradiance",
-                             "--bounces",  "--albedo",   "--exposure",    "--user",   "--spp",
-                             "--seed"}}});
-  command->callback([options, other] { run_export(*options, other); });
+  command->add_flag("--jatos", options->jatos, "JATOS will host it")->excludes(serve);
+  command->add_flag("--pilot", options->pilot, "everybody is a trial run, and may see the shipped consent");
+  command->callback([options] { run_web(*options); });
+}
+
+void add_tables(CLI::App& group) {
+  const auto options = std::make_shared<TablesOptions>();
+  CLI::App* command = group.add_subcommand("tables", "a log as tables: answers, people, dictionary");
+  command->add_option("log", options->log, "the log, LOG.sqlite")->required();
+  command->add_option("folder", options->folder, "folder for the tables")->required();
+  command
+      ->add_option("--layout", options->layout,
+                   "csv; or the same tables as Psych-DS or BIDS (behaviour) lay them out")
+      ->check(CLI::IsMember({"csv", "psych-ds", "bids"}))
+      ->capture_default_str();
+  CLI::Option* anonymise =
+      command->add_flag("--anonymise", options->anonymise,
+                        "new codes, times to a tenth of a second, nothing that tells who came when, rows of "
+                        "people grouped");
+  add_number(*command, "--k", options->k, {2, 1000}, "of --anonymise: the smallest group (else 5)")
+      ->needs(anonymise);
+  command->callback([options] { run_tables(*options); });
+}
+
+void add_video(CLI::App& group) {
+  struct VideoOptions {
+    std::string set, folder;
+  };
+  const auto options = std::make_shared<VideoOptions>();
+  CLI::App* command =
+      group.add_subcommand("video", "a set's clips as uncompressed video, for programs that measure video");
+  command->add_option("set", options->set, "folder of the rendered set")->required();
+  command->add_option("folder", options->folder, "folder for the videos, .y4m")->required();
+  command->callback([options] {
+    fmt::print("{}: {} videos\n", options->folder, write_videos(options->set, options->folder));
+  });
+}
+
+}  // namespace
+
+void add_export_command(CLI::App& app) {
+  CLI::App* group =
+      app.add_subcommand("export", "a set as web page or video, a log as tables, a scene as x3d");
+  group->require_subcommand(1);
+  add_web(*group);
+  add_tables(*group);
+  add_video(*group);
+  renderer::add_x3d_command(*group);
 }
 
 }  // namespace seamline::study::online

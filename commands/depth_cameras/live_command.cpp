@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "commands/options/command_help.h"
-#include "composites/objects_file.h"
+#include "composites/objects/objects_file.h"
 #include "live/running/run_headless.h"
 #include "physics/rigid_world.h"
 #include "support/files/assets.h"

@@ -1,5 +1,8 @@
 #include "commands/options/command_help.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <memory>
 #include <sstream>
@@ -133,6 +136,8 @@ std::string refusal_of_arguments(CLI::App& program, const CLI::ParseError& error
   if (!rest.empty() && rest.front().starts_with("--"))
     return "no option " + rest.front().substr(0, rest.front().find('=')) + " of " + command.get_name() +
            meant(rest.front(), long_options(command));
+  if (!names.empty() && rest.empty())
+    return fmt::format("{}: wanted one of its commands: {}", command.get_name(), fmt::join(names, ", "));
   return why;
 }
 

@@ -9,7 +9,7 @@
 
 #include "commands/options/command_help.h"
 #include "commands/photographs/composite_options.h"
-#include "composites/objects_file.h"
+#include "composites/objects/objects_file.h"
 #include "support/files/assets.h"
 #include "support/text/error.h"
 #include "support/text/shell_word.h"

@@ -182,8 +182,7 @@ void ask(const AskRequest& request, const LineSource& hear_line, const LineSink&
 
 void add_ask_command(CLI::App& app) {
   const auto request = std::make_shared<AskRequest>();
-  CLI::App* command = app.add_subcommand(
-      "ask", "a session that another program shows: questions and answers as lines of JSON");
+  CLI::App* command = app.add_subcommand("ask", "a session that another program shows, by lines of JSON");
   command
       ->add_option("source", request->source,
                    "folder of the rendered set, or a study file whose pictures the other program makes")

@@ -6,9 +6,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "study/log/online/log_merge.h"
 #include "study/log/online/online_log.h"
-#include "study/online/intake/import.h"
 #include "study/online/serving/http_request.h"
 #include "study/online/serving/nginx_configuration.h"
 #include "study/online/serving/serve.h"
@@ -28,12 +26,6 @@ struct ServeOptions {
   bool list_tokens = false;
   std::vector<std::string> hosts;
   int port = 8080, make_tokens = 0;
-};
-
-struct GatheringOptions {
-  std::string log, set;
-  std::vector<std::string> files;
-  bool skip_foreign = false;
 };
 
 void refuse_beside(const ServeOptions& options, const std::string& flag) {
@@ -115,7 +107,7 @@ void run_serve(const ServeOptions& options) {
   }
   if (options.folder.empty() || options.log.empty())
     throw input_error({.field = "seamline serve",
-                       .wanted = "a folder of seamline export --web and --log LOG",
+                       .wanted = "a folder of seamline export web and --log LOG",
                        .found = options.folder.empty() ? "no folder" : "no log"});
   if (!options.systemd.empty()) {
     write_file_atomically(options.systemd, systemd_unit(command_of(options), options.log));
@@ -137,24 +129,12 @@ void run_serve(const ServeOptions& options) {
         });
 }
 
-void run_import(const GatheringOptions& options) {
-  const RenderedSet set = set_for_log(options.log, options.set);
-  const std::vector<fs::path> files(options.files.begin(), options.files.end());
-  const Foreign foreign = options.skip_foreign ? Foreign::left_out : Foreign::ends_the_import;
-  fmt::print("{}", import_text(import_messages(set, options.log, files, foreign), options.log));
-}
-
-void run_merge(const GatheringOptions& options) {
-  const std::vector<fs::path> logs(options.files.begin(), options.files.end());
-  fmt::print("{}", merge_text(merge_logs(options.log, logs), options.log));
-}
-
 }  // namespace
 
 void add_serve_command(CLI::App& app) {
   const auto options = std::make_shared<ServeOptions>();
   CLI::App* command = app.add_subcommand("serve", "host a study for browsers; answers go into a log");
-  command->add_option("folder", options->folder, "what seamline export --web wrote");
+  command->add_option("folder", options->folder, "what seamline export web wrote");
   command->add_option("--log", options->log, "SQLite log of answers; made when it is missing");
   command->add_option("--set", options->set, "the rendered set; else where the log says");
   add_number(*command, "--port", options->port, {0, 65535}, "0: any that is free")->capture_default_str();
@@ -181,25 +161,5 @@ void add_serve_command(CLI::App& app) {
   command->add_option("--nginx", options->nginx, "write a configuration for nginx, for a wider network");
   command->callback([options] { run_serve(*options); });
 }
-
-void add_gathering_commands(CLI::App& app) {
-  const auto imported = std::make_shared<GatheringOptions>();
-  CLI::App* import =
-      app.add_subcommand("import", "store results of JATOS, or downloads of a page, into a log");
-  import->add_option("log", imported->log, "the log; made when it is missing")->required();
-  import
-      ->add_option("files", imported->files, "files of messages, or JATOS's archives of them (.jrzip, .zip)")
-      ->required();
-  import->add_option("--set", imported->set, "the rendered set; else where the log says");
-  import->add_flag("--skip-foreign", imported->skip_foreign,
-                   "leave out, by name, what is no message of this study and set (else it ends the command)");
-  import->callback([imported] { run_import(*imported); });
-
-  const auto merged = std::make_shared<GatheringOptions>();
-  CLI::App* merge = app.add_subcommand("merge", "add the participants of other logs of the same study");
-  merge->add_option("into", merged->log, "the log that gets them")->required();
-  merge->add_option("from", merged->files, "the other logs, which stay as they are")->required();
-  merge->callback([merged] { run_merge(*merged); });
-}  // namespace seamline::study::online
 
 }  // namespace seamline::study::online

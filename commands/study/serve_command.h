@@ -9,7 +9,4 @@ namespace seamline::study::online {
 /// Adds `seamline serve`.
 void add_serve_command(CLI::App& app);
 
-/// Adds `seamline import` and `seamline merge`.
-void add_gathering_commands(CLI::App& app);
-
 }  // namespace seamline::study::online

@@ -2,7 +2,7 @@
 #include <optional>
 
 #include "composites/place_preview.h"
-#include "composites/placing.h"
+#include "composites/objects/placing.h"
 #include "window/input.h"
 
 namespace seamline::place {

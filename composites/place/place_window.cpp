@@ -15,7 +15,7 @@
 #include "composites/photo_world.h"
 #include "composites/place/place_input.h"
 #include "composites/place_preview.h"
-#include "composites/placing.h"
+#include "composites/objects/placing.h"
 #include "support/running/interrupt.h"
 #include "support/running/parallel.h"
 #include "support/text/error.h"

@@ -2,7 +2,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "composites/photo_objects.h"
+#include "composites/objects/photo_objects.h"
 #include "live/recording/loaded_recording.h"
 #include "raytracer/light/light.h"
 #include "raytracer/tracing/geometry.h"

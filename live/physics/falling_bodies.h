@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "composites/photo_objects.h"
+#include "composites/objects/photo_objects.h"
 #include "live/physics/depth_ground.h"
 
 namespace seamline::live {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "composites/photo_objects.h"
+#include "composites/objects/photo_objects.h"
 #include "live/frame/methods.h"
 #include "live/frame/pipeline.h"
 #include "live/tracking/tracker.h"

@@ -60,7 +60,7 @@ void write_task(const JobPlace& place, const RenderJob& job) {
                   "  echo \"$0: wanted one of truth-N, stimuli-N and join, found ${{*:-nothing}}\" >&2\n"
                   "  exit 1\n"
                   "fi\n"
-                  "exec {} render {} --out={} --threads={}{} --job={} --element=\"$1\"\n",
+                  "exec {} job piece {} --out={} --threads={}{} --job={} --element=\"$1\"\n",
                   shell_quoted(self.string()), shell_quoted(place.study.string()),
                   shell_quoted(place.set_folder.string()), job.threads, options,
                   shell_quoted(place.folder.string())));

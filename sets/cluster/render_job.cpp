@@ -209,7 +209,7 @@ RenderJob read_job(const fs::path& folder) {
                               element.at("seconds").get<double>()});
   } catch (const Json::exception&) {
     throw input_error({.file = path.string(),
-                       .wanted = "a job that `seamline render --slurm` or `--parallel` wrote",
+                       .wanted = "a job that `seamline job write` wrote",
                        .found = "something else"});
   }
   return job;

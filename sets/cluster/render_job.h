@@ -58,7 +58,7 @@ void write_job(const std::filesystem::path& folder, const RenderJob& job);
 void take_element(const RenderJob& job, const std::filesystem::path& folder, const std::string& element,
                   const StudyDefinition& study, RenderRequest& request);
 
-/// Says in the set, where `--status` finds it, why a piece ended. Does nothing where the job has no such
+/// Says in the set, where `job status` finds it, why a piece ended. Does nothing where the job has no such
 /// piece, or where the set is another job's or cannot be written to.
 void leave_refusal(const std::filesystem::path& set_folder, const std::filesystem::path& job_folder,
                    const std::string& element, const std::string& complaint);

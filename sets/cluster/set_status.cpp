@@ -182,7 +182,7 @@ void write_status_page(const fs::path& file, const fs::path& set_folder, const S
   const std::string said = advice(status);
   std::string body = fmt::format(
       "<p><strong>{} of {}</strong> stimuli are done ({:.0f} %); pieces: {}.{} {} This page is as old as "
-      "its file: <code>seamline render --status {} --html FILE</code> writes it "
+      "its file: <code>seamline job status {} --html FILE</code> writes it "
       "anew.</p>\n<table><thead><tr><th>truth</th><th>reference</th><th>stimuli</th><th></th></tr></thead><tbody>",
       done, of, percent(done, of), counts_text(status), status.joined ? " The manifest lists all." : "",
       html_escape(said.empty() ? said : "Note: " + said + "."), html_escape(set_folder.string()));

@@ -7,7 +7,7 @@
 namespace seamline::renderer {
 
 /// What a job is going to make of a set: names, each with the hash of what it is made from.
-/// `SET/records/work.json`, for `seamline render --status`; no render reads it.
+/// `SET/records/work.json`, for `seamline job status`; no render reads it.
 struct WorkList {
   struct Stimulus {
     std::string id, inputs, truth;

@@ -32,7 +32,7 @@ void require_no_headset(const StudyDefinition& study) {
     if (const LookDefinition* seen = look_of(study, condition);
         seen != nullptr && seen->kind == LookKind::head)
       throw input_error({.field = "look.kind",
-                         .wanted = "\"fixed\" or \"mouse\" in a window (`seamline export SET --web` makes a "
+                         .wanted = "\"fixed\" or \"mouse\" in a window (`seamline export web` makes a "
                                    "page, which knows headsets)",
                          .found = "\"head\""});
 }

@@ -7,7 +7,7 @@
 
 namespace seamline::study {
 
-/// What `seamline export LOG --csv DIR`, `--psych-ds DIR` and `--bids DIR` ask for.
+/// What `seamline export tables LOG DIR` asks for.
 struct TableRequest {
   std::filesystem::path log;
   std::filesystem::path out_folder;     ///< not there yet, or empty

@@ -6,7 +6,7 @@
 
 namespace seamline::study {
 
-/// Who has done what, as lines of text for people: `seamline log LOG --status`.
+/// Who has done what, as lines of text for people: `seamline log status LOG`.
 [[nodiscard]] std::string status_text(const LogContents& log);
 
 /// Excludes a participant: the answers stay in the log, marked, and the slot is free for another one.

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uintmax_t header_bytes = 100;  // of a SQLite database
 constexpr const char* a_log = "a Seamline log";
-const std::string saving = "(`seamline log LOG --recover OUT` saves what can be read)";
+const std::string saving = "(`seamline log recover LOG OUT` saves what can be read)";
 
 InputError damaged(const fs::path& path, std::string found) {
   std::replace(found.begin(), found.end(), '\n', ' ');
@@ -45,7 +45,7 @@ std::string other_than_ours(SQLite::Database& database, int version) {
 const char* advice_for(int version) {
   if (version > newest_log_schema_version) return "written by a newer seamline: use that one";
   if (version >= oldest_log_schema_version)
-    return "written by an older seamline: `seamline log LOG --upgrade NEW` makes a log of it that sessions "
+    return "written by an older seamline: `seamline log upgrade LOG NEW` makes a log of it that sessions "
            "go on in, with every answer; nothing in this one was changed";
   return "written by an older seamline: go on with that one, or begin a new log; nothing in it was changed";
 }

@@ -112,9 +112,8 @@ void check_stimuli(SQLite::Database& database, const fs::path& path,
   throw input_error(
       {.file = path.string(),
        .field = "stimuli",
-       .wanted =
-           "the stimuli of the set that the log names (`seamline log LOG --recover OUT --set SET` takes "
-           "them from it)",
+       .wanted = "the stimuli of the set that the log names (`seamline log recover LOG OUT --set SET` takes "
+                 "them from it)",
        .found = fmt::format("other ones from place {} on", same)});
 }
 

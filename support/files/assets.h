@@ -15,7 +15,7 @@ namespace seamline {
 /// lie in `../share/seamline` beside the folder of the program itself, or else where it was built.
 [[nodiscard]] std::filesystem::path builtin_study(const std::string& name);
 
-/// The folder of the page that `export --web` writes (index.html, seamline.js, jspsych.js): of the same
+/// The folder of the page that `export web` writes (index.html, seamline.js, jspsych.js): of the same
 /// installation or build as the running program. Not looked whether it is there: a build may be without.
 [[nodiscard]] std::filesystem::path web_page_folder();
 

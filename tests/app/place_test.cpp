@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "composites/objects_file.h"
+#include "composites/objects/objects_file.h"
 #include "program_window.h"
 #include "support/files/image.h"
 

@@ -150,7 +150,7 @@ Tally clock_set_back(Lab& lab) {
     half[8] = "26";  // --count: the rest comes after the clock was set back once more
     lab.completes(tally.fault, run(half, {.environment = clock}));
     const std::vector<std::string> kept = answers_of(log);
-    lab.completes(tally.fault, run({lab.program, "log", log, "--status"}, {.environment = clock}));
+    lab.completes(tally.fault, run({lab.program, "log", "status", log}, {.environment = clock}));
     ++tally.tries;
     tally.committed += static_cast<std::int64_t>(kept.size());
     rerun_study(lab, log, tally);

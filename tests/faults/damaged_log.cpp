@@ -53,13 +53,13 @@ void recover(Lab& lab, const fs::path& log, Damage& damage, bool analyse) {
   const fs::path saved = lab.folder / "recovered.sqlite";
   remove_log(saved);
   const std::string before = bytes_of(log);
-  Ending ending = run({lab.program, "log", log, "--recover", saved});
+  Ending ending = run({lab.program, "log", "recover", log, saved});
   if (ending.status == 1 && ending.output.find("--set") != std::string::npos)
-    ending = run({lab.program, "log", log, "--recover", saved, "--set", lab.answered_set});
+    ending = run({lab.program, "log", "recover", log, saved, "--set", lab.answered_set});
   if (bytes_of(log) != before) lab.complain(damage.what + ": recovery touched the damaged file", ending);
   if (ending.status != 0) {
     ++damage.nothing_recovered;
-    if (lab.refuses(damage.what + ", --recover", ending) && fs::exists(saved))
+    if (lab.refuses(damage.what + ", log recover", ending) && fs::exists(saved))
       lab.complain(damage.what + ": a refused recovery left a file", ending);
     return;
   }
@@ -93,7 +93,7 @@ Damage damage_log(Lab& lab, const std::string& how) {
                                         : cut(whole, random));
     ++damage.tries;
     damage.answers += static_cast<std::int64_t>(lab.log_answers.size());
-    const bool refused = is_refused(lab, how + ", log --status", {lab.program, "log", log, "--status"});
+    const bool refused = is_refused(lab, how + ", log status", {lab.program, "log", "status", log});
     damage.refused += refused ? 1 : 0;
     if (!refused && rows_if_readable(log) != lab.log_rows) ++damage.unnoticed;
     const bool now_and_then = at % 20 == 1;

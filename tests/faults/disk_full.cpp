@@ -153,7 +153,7 @@ Tally small_disk(Lab& lab) {
 }
 
 Tally limit_upgrade(Lab& lab) {
-  Tally tally{.fault = "file size limit, log --upgrade"};
+  Tally tally{.fault = "file size limit, log upgrade"};
   const fs::path folder = lab.folder / "limited-upgrade", upgraded = folder / "new.sqlite";
   sweep(lab.tries(2, 30), lab.old_log_bytes.size() + 8 * page_bytes, [&](std::uint64_t bytes) {
     fs::remove_all(folder);
@@ -166,7 +166,7 @@ Tally limit_upgrade(Lab& lab) {
 }
 
 Tally small_disk_upgrade(Lab& lab) {
-  Tally tally{.fault = "full disk (tmpfs), log --upgrade"};
+  Tally tally{.fault = "full disk (tmpfs), log upgrade"};
   const fs::path place = lab.folder / "small-disk", upgraded = place / "new.sqlite";
   sweep(lab.tries(2, 40), 4 * lab.old_log_bytes.size() / page_bytes, [&](std::uint64_t pages) {
     const SmallDisk disk(place, page_bytes * (1 + pages));

@@ -99,7 +99,7 @@ Tally kill_analyze(Lab& lab) {
 }
 
 Tally kill_upgrade(Lab& lab) {
-  Tally tally{.fault = "SIGKILL of log --upgrade"};
+  Tally tally{.fault = "SIGKILL of log upgrade"};
   Random random(lab.seed, 4);
   const fs::path folder = lab.folder / "killed-upgrade", upgraded = folder / "new.sqlite";
   int left_behind = 0;

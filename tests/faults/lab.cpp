@@ -39,7 +39,7 @@ Arguments Lab::analyze_command(const fs::path& from, const fs::path& out) const 
 }
 
 Arguments Lab::upgrade_command(const fs::path& into) const {
-  return {program, "log", old_log, "--upgrade", into};
+  return {program, "log", "upgrade", old_log, into};
 }
 
 void Lab::complain(const std::string& what, const Ending& ending) {

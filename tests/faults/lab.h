@@ -61,7 +61,7 @@ Ending rerun_render(Lab& lab, const std::filesystem::path& set, Tally& tally);
 void rerun_study(Lab& lab, const std::filesystem::path& log, Tally& tally);
 void rerun_analyze(Lab& lab, const std::filesystem::path& report, Tally& tally);
 
-/// What every try asks of `log --upgrade`: the old log has its bytes, the new one is there whole or not at
+/// What every try asks of `log upgrade`: the old log has its bytes, the new one is there whole or not at
 /// all, and nothing else lies in its folder but after a kill, when this returns true. `rerun_upgrade` removes
 /// the new one and makes it undisturbed.
 bool check_upgrade(Lab& lab, Tally& tally, const std::filesystem::path& into, const Ending& ending,

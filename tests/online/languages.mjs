@@ -21,7 +21,7 @@ for (const [tag, text] of Object.entries(consents)) {
   writeFileSync(join(folder, "set", "own_" + tag + ".toml"), `format = "seamline texts 1"\nlanguage = "${tag}"\n[consent]\ntext = "${text}"\n`);
 }
 writeFileSync(file, readFileSync(file, "utf8") + more);
-const said = execFileSync(program, ["export", join(folder, "set"), "--web", join(folder, "page-serve"), "--serve"], { encoding: "utf8" });
+const said = execFileSync(program, ["export", "web", join(folder, "set"), join(folder, "page-serve"), "--serve"], { encoding: "utf8" });
 assert.match(said, /machine drafts, to be checked by a speaker: de, ar/);
 const host = await realServe(program, join(folder, "page"), join(folder, "set"), log);
 
@@ -88,7 +88,7 @@ const laws = {
   },
   async "the log holds the study's own options, the consent that was read, and the language of each sitting"() {
     const csv = join(folder, "tables");
-    execFileSync(program, ["export", log, "--csv", csv]);
+    execFileSync(program, ["export", "tables", log, csv]);
     const [head, ...rows] = readFileSync(join(csv, "participants.csv"), "utf8").trim().split("\n").map((line) => line.split(","));
     const at = (name) => head.indexOf(name);
     assert.deepEqual(rows.map((row) => row[at("language")]).sort(), ["ar", "de", "en"]);

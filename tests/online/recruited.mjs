@@ -84,7 +84,7 @@ field = "technical_background"
 answers = ["yes"]
 most_people = 1
 `);
-execFileSync(program, ["export", join(folder, "set"), "--web", join(folder, "page"), "--serve"]);
+execFileSync(program, ["export", "web", join(folder, "set"), join(folder, "page"), "--serve"]);
 const secretFile = join(folder, "secret");
 server = await served(folder, log, ["--watch", secretFile]);
 
@@ -138,7 +138,7 @@ const laws = {
         await page.reload(); // the end stays
         await arrive(page, "finished-" + choice);
       });
-    const status = execFileSync(program, ["log", log, "--status"], { encoding: "utf8" });
+    const status = execFileSync(program, ["log", "status", log], { encoding: "utf8" });
     const attentive = [...status.matchAll(/attention 1 of 1/g)].length;
     assert.ok(attentive > 0 && attentive < 3, status);
     const ends = [1, 2, 3].map((choice) => panel.submissions.get("pid-" + choice));
@@ -214,7 +214,7 @@ const laws = {
   },
   async "ids are matched, and gone when somebody is forgotten"() {
     const csv = join(folder, "ids.csv");
-    execFileSync(program, ["log", log, "--identifiers", csv]);
+    execFileSync(program, ["log", "identifiers", log, csv]);
     const lines = readFileSync(csv, "utf8").trim().split("\n").map((line) => line.split(","));
     assert.deepEqual(lines[0], ["participant", "outcome", "completion_code", "PROLIFIC_PID", "SESSION_ID", "STUDY_ID"]);
     const of = (pid) => lines.find((line) => line[3] === pid);
@@ -224,11 +224,11 @@ const laws = {
       assert.equal(of(pid)[1], word[panel.submissions.get(pid)]);
     }
     assert.equal(lines.length, 7);
-    execFileSync(program, ["log", log, "--forget", of("pid-old")[0]]);
+    execFileSync(program, ["log", "forget", log, of("pid-old")[0]]);
     const left = readFileSync(log + "-recruits").toString("latin1") + readFileSync(log).toString("latin1");
     assert.ok(!left.includes("pid-old") && !left.includes(of("pid-old")[0]));
     assert.ok(!readFileSync(log).toString("latin1").includes("pid-"), "no identifier is in the log");
-    execFileSync(program, ["log", log, "--forget-identifiers"]);
+    execFileSync(program, ["log", "forget-identifiers", log]);
     assert.ok(!readFileSync(log + "-recruits").toString("latin1").includes("pid-"));
     assert.ok(panel.referers.every((referer) => referer === null), "the panel is not told where people come from");
   },

@@ -202,7 +202,7 @@ TEST_F(ServeTest, WhatDoesNotBelongTogetherIsNotServed) {
   EXPECT_THAT(said(wrong), HasSubstr("study_hash"));
   wrong = request;
   wrong.folder = folder / "nowhere";
-  EXPECT_THAT(said(wrong), HasSubstr("wanted a folder that seamline export --web wrote"));
+  EXPECT_THAT(said(wrong), HasSubstr("wanted a folder that seamline export web wrote"));
   wrong = request;
   wrong.address = "everywhere";
   EXPECT_THAT(said(wrong), HasSubstr("--listen"));

@@ -16,7 +16,7 @@
 
 namespace seamline::study::online {
 
-/// A folder such as `seamline export --web` writes, with what a server needs of it.
+/// A folder such as `seamline export web` writes, with what a server needs of it.
 inline std::filesystem::path write_site(const RenderedSet& set, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder / "pictures");
   nlohmann::ordered_json study;

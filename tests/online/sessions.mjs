@@ -46,7 +46,7 @@ function importLines(lines) {
   const run = () => execFileSync(process.env.SEAMLINE_PROGRAM, ["import", log, file, "--set", join(work, "tiny-set")], { encoding: "utf8" });
   const said = run();
   run();
-  const status = execFileSync(process.env.SEAMLINE_PROGRAM, ["log", log, "--status"], { encoding: "utf8" });
+  const status = execFileSync(process.env.SEAMLINE_PROGRAM, ["log", "status", log], { encoding: "utf8" });
   return { said, status };
 }
 
@@ -216,9 +216,9 @@ const tests = {
     });
     await host.stop();
     const ask = (...words) => execFileSync(process.env.SEAMLINE_PROGRAM, words, { encoding: "utf8" });
-    assert.match(ask("log", log, "--status"), / 0 of +6/);
+    assert.match(ask("log", "status", log), / 0 of +6/);
     console.log("  " + ask("import", log, file, "--set", set).trim().split("\n").join("\n  "));
-    const status = ask("log", log, "--status");
+    const status = ask("log", "status", log);
     assert.ok(status.includes(participant) && / 1 of +6/.test(status), status);
   },
 

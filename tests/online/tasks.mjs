@@ -32,7 +32,7 @@ for (const [kind, alternatives] of Object.entries(ALTERNATIVES)) {
   const set = join(work, kind + "-set");
   const pageFolder = join(folder, "page");
   const log = join(folder, "log.sqlite");
-  execFileSync(program, ["export", set, "--web", pageFolder, "--serve"]);
+  execFileSync(program, ["export", "web", set, pageFolder, "--serve"]);
   const server = await served(pageFolder, set, log);
   const browser = await openBrowser(mkdtempSync(join(work, "browser-")), { width: 1900, height: 1000 });
   const given = new Map();
@@ -65,7 +65,7 @@ for (const [kind, alternatives] of Object.entries(ALTERNATIVES)) {
     await server.stop();
   }
   assert.ok(looked, kind + ": no trial was looked at");
-  execFileSync(program, ["export", log, "--csv", join(folder, "csv")]);
+  execFileSync(program, ["export", "tables", log, join(folder, "csv")]);
   let found = 0;
   for (const file of ["answers.csv", "catch_answers.csv"]) {
     const [head, ...rows] = readFileSync(join(folder, "csv", file), "utf8").trim().split("\n").map((line) => line.split(","));

@@ -1,4 +1,4 @@
-// The folder that `export --web` writes: whole, the same twice, with the window's trials and no right
+// The folder that `export web` writes: whole, the same twice, with the window's trials and no right
 // answers.
 #include "study/online/page/web_export.h"
 

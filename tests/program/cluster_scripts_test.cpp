@@ -183,11 +183,11 @@ TEST_F(ClusterScripts, ATaskHandsOnWhatItsJobWasMadeWith) {
     std::string task = read_text(job / "task");
     const std::size_t at = task.find("exec '");
     ASSERT_NE(at, std::string::npos);
-    task.replace(at, task.find(" render ", at) - at, "printf '%s\\0'");
+    task.replace(at, task.find(" job piece ", at) - at, "printf '%s\\0'");
     test::write_text(job / "task", task);
     std::string wanted;
     for (const std::string& word :
-         {std::string("render"), (folder_ / (name + ".toml")).string(),
+         {std::string("job"), std::string("piece"), (folder_ / (name + ".toml")).string(),
           "--out=" + (folder_ / ("set" + name)).string(), std::string("--threads=2"), "--only=" + name,
           "--job=" + job.string(), std::string("--element=truth-1")})
       wanted += word + '\0';

@@ -43,13 +43,13 @@ struct Job {
 };
 
 std::string render_of(const Job& job) {
-  return "render " + job.study.string() + " --threads 1 " + job.options;
+  return job.study.string() + " --threads 1 " + job.options;
 }
 
 Job make_job(const fs::path& place, const std::string& options) {
   Job job{place / "a job's", place / "many", place / "study.toml", options};
   test::write_small_study(place, small_study());
-  const Outcome made = run_built(render_of(job) + " --out " + job.set.string() +
+  const Outcome made = run_built("job write " + render_of(job) + " --out " + job.set.string() +
                                  " --elements 2 --parallel \"" + job.folder.string() + "\"");
   EXPECT_EQ(made.status, 0) << made.output;
   return job;
@@ -58,7 +58,7 @@ Job make_job(const fs::path& place, const std::string& options) {
 /// What one process makes of the same study.
 fs::path set_of_one_process(const Job& job) {
   const fs::path one = job.set.parent_path() / "one";
-  EXPECT_EQ(run_built(render_of(job) + " --out " + one.string()).status, 0);
+  EXPECT_EQ(run_built("render " + render_of(job) + " --out " + one.string()).status, 0);
   return one;
 }
 
@@ -102,7 +102,7 @@ TEST(Cluster, ADamagedTruthPassIsMadeAgain) {
 
 TEST(Cluster, StatusSaysWhatIsDoneAndLeftAndWhoFailed) {
   const Job job = make_job(fresh_folder("cluster-status"), "--spp 2");
-  const std::string status = "render --status " + job.set.string();
+  const std::string status = "job status " + job.set.string();
   EXPECT_THAT(run_built(status).output,
               HasSubstr("0 of 6 stimuli done (0 %), 6 left; 0 at work, 0 failed, 0 died\n"));
   EXPECT_THAT(run_built(status).output,
@@ -139,11 +139,10 @@ TEST(Cluster, StatusSaysWhatIsDoneAndLeftAndWhoFailed) {
       run_built(status).output,
       HasSubstr("6 of 6 stimuli done (100 %), 0 left; 0 at work, 0 failed, 0 died; the manifest lists all"));
   // Of a set that one process made, and of none.
-  const std::string one = run_built("render --status " + set_of_one_process(job).string()).output;
+  const std::string one = run_built("job status " + set_of_one_process(job).string()).output;
   EXPECT_THAT(one, HasSubstr("6 of 6 stimuli done"));
   EXPECT_THAT(one, HasSubstr("rendered without a job"));
-  EXPECT_THAT(run_built("render --status " + (job.set / "none").string()).output,
-              HasSubstr("no such folder"));
+  EXPECT_THAT(run_built("job status " + (job.set / "none").string()).output, HasSubstr("no such folder"));
 }
 
 TEST(Cluster, MarksOfWrongTypesAreNone) {
@@ -157,7 +156,7 @@ TEST(Cluster, MarksOfWrongTypesAreNone) {
     test::write_text(marks / ("stimuli-" + std::to_string(++number) + ".json"), text);
   test::write_text(marks / "nested.json", std::string(10000, '['));
   fs::create_directory(marks / "folder.json");
-  const Outcome status = run_built("render --status " + job.set.string());
+  const Outcome status = run_built("job status " + job.set.string());
   EXPECT_EQ(status.status, 0) << status.output;
   EXPECT_THAT(status.output, HasSubstr("0 of 6 stimuli done (0 %), 6 left; 0 at work, 0 failed, 0 died"));
 }
@@ -165,10 +164,10 @@ TEST(Cluster, MarksOfWrongTypesAreNone) {
 TEST(Cluster, APieceIsAtWorkUntilItIsKilledWhateverTheClocksSay) {
   const fs::path place = fresh_folder("cluster-killed");
   const Job job = make_job(place, "--spp 4096");
-  const std::string status = "render --status " + job.set.string();
+  const std::string status = "job status " + job.set.string();
   const test::Running piece =
-      test::start({"render", job.study.string(), "--out", job.set.string(), "--threads", "1", "--spp", "4096",
-                   "--job", job.folder.string(), "--element", "stimuli-1"},
+      test::start({"job", "piece", job.study.string(), "--out", job.set.string(), "--threads", "1", "--spp",
+                   "4096", "--job", job.folder.string(), "--element", "stimuli-1"},
                   place / "piece.txt");
   const fs::path mark = job.set / "records" / "running" / "stimuli-1.json";
   while (!fs::exists(mark)) std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -196,13 +195,13 @@ TEST(Cluster, AStudyWithOtherStimuliIsRefusedByEveryPiece) {
       EXPECT_EQ(outcome.status, 1);
       EXPECT_THAT(outcome.output, HasSubstr("wanted the 6 stimuli that the job was made with"));
     }
-    EXPECT_THAT(run_built("render --status " + job.set.string()).output, HasSubstr("; 0 at work, 4 failed"));
+    EXPECT_THAT(run_built("job status " + job.set.string()).output, HasSubstr("; 0 at work, 4 failed"));
   }
   EXPECT_FALSE(fs::exists(job.set / "manifest.json"));
   // A study that cannot be read is said there too.
   test::write_text(job.study, "format = 1\n");
   EXPECT_EQ(job.piece("stimuli-2").status, 1);
-  EXPECT_THAT(run_built("render --status " + job.set.string()).output,
+  EXPECT_THAT(run_built("job status " + job.set.string()).output,
               HasSubstr("failed: " + job.study.string() + ": format: "));
   test::write_text(job.study, study);
   for (const char* piece : {"truth-1", "stimuli-1", "stimuli-2", "join"})
@@ -212,11 +211,11 @@ TEST(Cluster, AStudyWithOtherStimuliIsRefusedByEveryPiece) {
 
 TEST(Cluster, ThePiecesOfSomeStimuliAreCountedAmongThemAlone) {
   const Job job = make_job(fresh_folder("cluster-only"), "--spp 2 --only '*-0064'");
-  EXPECT_THAT(run_built("render --status " + job.set.string()).output, HasSubstr("0 of 3 stimuli done"));
+  EXPECT_THAT(run_built("job status " + job.set.string()).output, HasSubstr("0 of 3 stimuli done"));
   for (const char* piece : {"truth-1", "stimuli-1", "stimuli-2", "join"})
     ASSERT_EQ(job.piece(piece).status, 0);
   EXPECT_THAT(
-      run_built("render --status " + job.set.string()).output,
+      run_built("job status " + job.set.string()).output,
       HasSubstr("3 of 3 stimuli done (100 %), 0 left; 0 at work, 0 failed, 0 died; the manifest lists all"));
 }
 
@@ -245,9 +244,10 @@ TEST(Cluster, NoPieceAndNoFolderAreNotAllOfThem) {
   refused(job.piece("--help"), "wanted truth-1 to truth-1");
   const fs::path other = job.set.parent_path() / "other";
   const std::string render = render_of(job) + " --out " + other.string();
-  for (const char* unset :
-       {"--slurm ''", "--parallel ''", "--status ''", "--job x --element ''", "--only ''"})
-    refused(run_built(render + " " + unset), "wanted a text that is not empty");
+  for (const char* unset : {"--slurm ''", "--parallel ''", "--only ''"})
+    refused(run_built("job write " + render + " " + unset), "wanted a text that is not empty");
+  refused(run_built("job piece " + render + " --job x --element ''"), "wanted a text that is not empty");
+  refused(run_built("job status ''"), "wanted a text that is not empty");
   EXPECT_FALSE(fs::exists(other));
 }
 
@@ -268,10 +268,11 @@ TEST(Cluster, WhatIsNotTheJobsIsRefusedInASentence) {
   EXPECT_THAT(with("\"instruction_set\": \"", "\"instruction_set\": \"other-"),
               HasSubstr("wanted a machine with the instruction set that the job was made with"));
   EXPECT_THAT(with("\"inputs\": \"", "\"inputs\": \"0"), HasSubstr("others: make the job again"));
-  EXPECT_THAT(with("\"truths\"", "\"lies\""), HasSubstr("wanted a job that `seamline render --slurm`"));
+  EXPECT_THAT(with("\"truths\"", "\"lies\""), HasSubstr("wanted a job that `seamline job write`"));
   EXPECT_FALSE(fs::exists(job.set / "stimuli"));
-  const std::string render = "render " + job.study.string() + " --out " + job.set.string();
-  EXPECT_THAT(run_built(render + " --elements 3").output, HasSubstr("wanted --slurm DIR or --parallel DIR"));
+  const std::string render = "job write " + job.study.string() + " --out " + job.set.string();
+  EXPECT_THAT(run_built(render + " --elements 3").output,
+              HasSubstr("wanted one of --slurm DIR and --parallel DIR"));
   EXPECT_EQ(run_built(render + " --shard 1/2 --slurm x").status, 1);
   EXPECT_THAT(run_built(render + " --spp 2 --slurm '" + (job.set / "a b").string() + "'").output,
               HasSubstr("wanted a path of letters, digits and"));

@@ -72,7 +72,7 @@ TEST(Demo, RunsTheWholeChainAndSaysWhereTheReportIs) {
 
   const std::string set = (folder / "out" / "set").string(), log = (folder / "out" / "log.sqlite").string();
   EXPECT_EQ(test::run_seamline("verify " + set).status, 0);
-  const test::Outcome status = test::run_seamline("log " + log + " --status");
+  const test::Outcome status = test::run_seamline("log status " + log);
   EXPECT_EQ(status.status, 0);
   EXPECT_THAT(status.output, HasSubstr("sim-0020"));
   // The same log again gives the same numbers.
@@ -91,7 +91,7 @@ TEST(Demo, RunsTheWholeChainAndSaysWhereTheReportIs) {
   EXPECT_EQ(test::run_seamline("study " + set + " --log " + log + " --observer threshold --count 22 --seed 1")
                 .status,
             0);
-  EXPECT_THAT(test::run_seamline("log " + log + " --status").output, HasSubstr("sim-0022"));
+  EXPECT_THAT(test::run_seamline("log status " + log).output, HasSubstr("sim-0022"));
 }
 
 }  // namespace

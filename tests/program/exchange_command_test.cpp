@@ -29,16 +29,18 @@ TEST(ExchangeCommand, OneLayoutAtATimeAndNothingIsOverwritten) {
   const auto folder = fresh_folder("exchange");
   const std::string log = answered_log(folder);
   const std::string out = (folder / "out").string();
-  expect_refused("export " + log, "found nothing to write");
-  expect_refused("export " + log + " --csv " + out + " --bids " + out, "found --csv and --bids");
-  expect_refused("export " + log + " --web " + out + " --anonymise", "--anonymise: wanted a log's tables");
+  expect_refused("export tables " + log, "folder");
+  expect_refused("export " + log + " --csv " + out + " --bids " + out, "--csv and --bids at a time");
+  expect_refused("export web " + log + " " + out + " --anonymise", "--anonymise");
   EXPECT_FALSE(std::filesystem::exists(out));
-  for (const std::string layout : {"--csv", "--psych-ds", "--bids"}) {
+  for (const std::string layout : {"csv", "psych-ds", "bids"}) {
     const std::string place = out + layout;
-    const Outcome written = run_seamline("export " + log + " " + layout + " " + place + " --anonymise");
+    const Outcome written =
+        run_seamline("export tables " + log + " " + place + " --anonymise --layout " + layout);
     EXPECT_EQ(written.status, 0) << written.output;
     EXPECT_THAT(written.output, HasSubstr("answers of 6 participants"));
-    expect_refused("export " + log + " " + layout + " " + place, "wanted a folder that is empty");
+    expect_refused("export tables " + log + " " + place + " --layout " + layout,
+                   "wanted a folder that is empty");
   }
 }
 

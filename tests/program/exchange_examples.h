@@ -68,7 +68,7 @@ class ExchangeTables : public testing::Test {
     write_small_set(folder / "set");
     for (const char* arguments :
          {"study set --log log.sqlite --observer threshold --count 20 --seed 3",
-          "export log.sqlite --csv tables", "analyze log.sqlite --out report --bootstrap 100"}) {
+          "export tables log.sqlite tables", "analyze log.sqlite --out report --bootstrap 100"}) {
       const Outcome outcome = in_folder(std::string(SEAMLINE_PROGRAM) + " " + arguments);
       ASSERT_EQ(outcome.status, 0) << outcome.output;
     }

@@ -62,7 +62,10 @@ TEST_F(ExchangeExamples, TheValidatorOfBidsFindsNoError) {
     GTEST_SKIP() << "bids-validator 1.15 of npm is neither on the path nor named by SEAMLINE_BIDS_VALIDATOR";
   for (const std::string how : {"", " --anonymise"}) {
     const std::string out = (folder / (how.empty() ? "bids" : "anonymous")).string();
-    ASSERT_EQ(in_folder(std::string(SEAMLINE_PROGRAM) + " export log.sqlite --bids " + out + how).status, 0);
+    ASSERT_EQ(
+        in_folder(std::string(SEAMLINE_PROGRAM) + " export tables log.sqlite " + out + " --layout bids" + how)
+            .status,
+        0);
     const Outcome judged = run_program(bids_validator(), out);
     EXPECT_EQ(judged.status, 0) << judged.output;
     EXPECT_THAT(judged.output, testing::AllOf(testing::HasSubstr("20 - Subjects"),

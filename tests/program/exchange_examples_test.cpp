@@ -45,9 +45,10 @@ TEST_F(ExchangeExamples, FilesOfEachLayoutAreThoseOfThePage) {
       test::code_spans(test::pages().at("documentation/how-to/exchange.md"));
   const std::set<std::string> named(spans.begin(), spans.end());
   const auto expect_named = [&](const std::string& layout) {
-    ASSERT_EQ(
-        in_folder(std::string(SEAMLINE_PROGRAM) + " export log.sqlite " + layout + " out" + layout).status,
-        0);
+    ASSERT_EQ(in_folder(std::string(SEAMLINE_PROGRAM) + " export tables log.sqlite out" + layout +
+                        " --layout " + layout)
+                  .status,
+              0);
     for (const auto& entry : fs::recursive_directory_iterator(folder / ("out" + layout))) {
       if (!entry.is_regular_file()) continue;
       // As the page has it: of many alike the first, of pairs the table, and of what differs in a word that
@@ -64,9 +65,9 @@ TEST_F(ExchangeExamples, FilesOfEachLayoutAreThoseOfThePage) {
       EXPECT_TRUE(named.contains(name)) << layout << ": " << name;
     }
   };
-  expect_named("--csv");
-  expect_named("--psych-ds");
-  expect_named("--bids");
+  expect_named("csv");
+  expect_named("psych-ds");
+  expect_named("bids");
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ TEST(Help, AWrongWordIsAnsweredWithTheRightOne) {
 TEST(Help, MovedCommandsWorkByTheirOldSpellingAndSayTheNew) {
   const Outcome old = run_seamline("stability --list");
   EXPECT_EQ(old.status, 0);
-  EXPECT_THAT(old.output, HasSubstr("stability is now lab stability"));
+  EXPECT_THAT(old.output, HasSubstr("this is now seamline lab stability --list"));
   EXPECT_THAT(run_seamline("lab stability --list").output, Not(HasSubstr("is now")));
 }
 

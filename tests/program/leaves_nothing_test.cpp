@@ -46,8 +46,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values("render JUNK --out OUT", "check EMPTY --out OUT", "check EMPTY --out OUT --artists",
                     "study EMPTY --log OUT --observer perfect",
                     "study EMPTY --log OUT --participant p1 --pilot", "analyze JUNK --out OUT",
-                    "log JUNK --recover OUT", "log JUNK --upgrade OUT", "export JUNK --csv OUT",
-                    "export EMPTY --web OUT", "import OUT JUNK --set EMPTY", "freeze JUNK EMPTY --out OUT",
+                    "log recover JUNK OUT", "log upgrade JUNK OUT", "export tables JUNK OUT",
+                    "export web EMPTY OUT", "import OUT JUNK --set EMPTY", "freeze JUNK EMPTY --out OUT",
                     "record JUNK --preset tof_160x120 --out OUT",
                     "live EMPTY --headless --object builtin:teapot --out OUT",
                     "sense JUNK --sensor tof_160x120 --out OUT",
@@ -58,8 +58,8 @@ INSTANTIATE_TEST_SUITE_P(
                     "settle JUNK --sensor tof_160x120 --ball 0.1 --out OUT",
                     // What is found out only by the work itself: a body that nothing holds, no stimuli.
                     "settle builtin:bedroom --sensor tof_160x120 --ball 0.1 --position 0 -3 0 --out OUT/deep",
-                    "render QUICK --only none --parallel OUT/job --out OUT/set",
-                    "render QUICK --only none --slurm OUT/job --out OUT/set",
+                    "job write QUICK --only none --parallel OUT/job --out OUT/set",
+                    "job write QUICK --only none --slurm OUT/job --out OUT/set",
                     "relight JUNK --sensor tof_160x120 --out OUT", "convergence JUNK --only x --out OUT"));
 
 }  // namespace

@@ -105,7 +105,18 @@ const std::map<std::string, std::string> short_ways = {
     {"picture", "builtin:statue --environment 1 1 1 --width 16 --height 9 --spp 1 --out {out}.png"},
     {"flip", "{in}/photograph.exr {in}/photograph.exr"},
     {"study", "{set} --observer perfect --count 1 --log {out}.sqlite"},
-    {"log", "{log} --status"},
+    {"log status", "{log}"},
+    {"log backup", "{log} {out}.sqlite"},
+    {"log recover", "{log} {out}.sqlite"},
+    {"log tracks", "--help"},
+    {"log exclude", "--help"},
+    {"log forget", "--help"},
+    {"log identifiers", "--help"},
+    {"log forget-identifiers", "--help"},
+    {"log upgrade", "--help"},
+    {"job write", "--help"},
+    {"job piece", "--help"},
+    {"job status", "{set}"},
     {"analyze", "{log} --bootstrap 100 --out {out}"},
     {"fit", "{in}/counts.csv --alternatives 3 --json"},
     {"predict", "{set} --gain 1"},
@@ -118,7 +129,10 @@ const std::map<std::string, std::string> short_ways = {
     {"record", "builtin:bedroom --preset tof_160x120 --frames 1 --spp 1 --bounces 0 --out {out}"},
     {"live", "{in}/recording --object builtin:teapot --headless --time --frames 1 --size 32x24"},
     {"relight", "builtin:bedroom --sensor tof_160x120 --frames 2 --out {out}"},
-    {"export", "{log} --bids {out}"},
+    {"export tables", "{log} {out} --layout bids"},
+    {"export web", "--help"},
+    {"export video", "--help"},
+    {"export x3d", "--help"},
     {"lab stability", "--list"},
     {"lab convergence",
      "{study} --only bedroom-receiver-statue-0064 --parts mesh --tolerances 1e-2 --spp 2 --size 32x18 --out {out}"},
@@ -180,7 +194,7 @@ TEST_F(LostOutput, OnlyAWindowAndTheDemoAreNotTriedHere) {
 TEST_F(LostOutput, AServerServesOnAndSaysSoAtItsEnd) {
   if (!fs::exists(web_page_folder() / "jspsych.js"))
     return;  // built without its page: `export --web` says so
-  const Outcome page = run_seamline(filled("export {set} --web {in}/site --serve --pilot --slots 1", "site"));
+  const Outcome page = run_seamline(filled("export web {set} {in}/site --serve --pilot --slots 1", "site"));
   ASSERT_EQ(page.status, 0) << page.output;
   const auto line = [&](const char* text) { return filled(text, "served"); };
   const test::Running server = test::start(

@@ -27,10 +27,10 @@ std::map<std::string, std::string> read_sources() {
     text << std::ifstream(path, std::ios::binary).rdbuf();
     found[fs::relative(path, root).generic_string()] = text.str();
   };
-  for (const char* folder : {"support", "stimuli", "sensors", "registration", "scenes", "renderer", "study",
-                             "analysis", "stability"})
+  for (const char* folder :
+       {"support", "sensors", "scenes", "physics", "registration", "stimuli", "raytracer", "renderer", "sets",
+        "composites", "x3d", "study", "analysis", "live", "laboratory", "commands"})
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) take(entry.path());
-  for (const auto& entry : fs::directory_iterator(root)) take(entry.path());
   return found;
 }
 
@@ -109,7 +109,7 @@ TEST(Manners, PicturesOfASetAreOpenedWhereTheSetIs) {
 TEST(Manners, WhatLiesBesideALogIsFoundInOnePlace) {
   // Beside the path that was given there may be a link's folder (study/log/log_place.h).
   EXPECT_EQ(files_with(R"re("-(wal|shm|journal|lock)")re"),
-            (std::set<std::string>{"demo.cpp", "study/log/log_place.cpp"}));
+            (std::set<std::string>{"commands/demo.cpp", "study/log/log_place.cpp"}));
 }
 
 TEST(Manners, SqlIsNeverPutTogetherFromValues) {

@@ -55,7 +55,7 @@ TEST(OnlineCommands, WhoIsForgottenIsTakenOutOfTheFileOfCodesToo) {
   const std::vector<study::ParticipantRecord> people = study::read_log(log).participants;
   const std::string first = people.at(0).code, second = people.at(1).code;
   write_text(codes, hashes + first + "\n" + others);
-  const std::string forget = "log " + log + " --forget ";
+  const std::string forget = "log forget " + log + " ";
   // A code that neither knows changes neither.
   expect_refused(forget + "nobody --codes " + codes, "wanted a code that is in the log");
   expect_refused(forget + first + " --codes " + log, "wanted the hash of an invitation and a code");
@@ -71,17 +71,16 @@ TEST(OnlineCommands, WhoIsForgottenIsTakenOutOfTheFileOfCodesToo) {
   EXPECT_EQ(later.status, 0) << later.output;
   EXPECT_THAT(later.output, HasSubstr("not there any more in"));
   EXPECT_EQ(read_text(codes), others);
-  expect_refused("log " + log + " --status --codes " + codes, "--forget");
+  expect_refused("log status " + log + " --codes " + codes, "--codes");
 }
 
 TEST(OnlineCommands, WhatIsMissingOrWrongIsSaidInOneSentence) {
   const auto folder = fresh_folder("online-wrong");
   const std::string none = (folder / "none").string(), text = (folder / "text.txt").string();
   write_text(text, "no message\n");
-  expect_refused("serve", "wanted a folder of seamline export --web");
+  expect_refused("serve", "wanted a folder of seamline export web");
   expect_refused("serve " + none, "found no log");
-  expect_refused("serve " + none + " --log " + none,
-                 "none: wanted a folder that seamline export --web wrote");
+  expect_refused("serve " + none + " --log " + none, "none: wanted a folder that seamline export web wrote");
   expect_refused("serve " + none + " --log " + none + " --port 70000", "--port");
   expect_refused("serve " + none + " --log " + none + " --host 'a;b'",
                  "--host: wanted a name like study.example.org");

@@ -118,7 +118,7 @@ fs::path study_of_many_scenes() {
 /// Every command, and which of its ways.
 const std::vector<std::pair<std::string, std::string>> commands = {{"demo", ""},
                                                                    {"render", ""},
-                                                                   {"render", "job"},
+                                                                   {"job write", ""},
                                                                    {"verify", ""},
                                                                    {"check", ""},
                                                                    {"check", "set"},
@@ -129,8 +129,8 @@ const std::vector<std::pair<std::string, std::string>> commands = {{"demo", ""},
                                                                    {"lab bench", ""},
                                                                    {"study", "threshold"},
                                                                    {"study", "image"},
-                                                                   {"log", "status"},
-                                                                   {"log", "recover"},
+                                                                   {"log status", ""},
+                                                                   {"log recover", ""},
                                                                    {"analyze", ""},
                                                                    {"fit", "levels"},
                                                                    {"fit", "bootstrap"},
@@ -147,8 +147,9 @@ const std::vector<std::pair<std::string, std::string>> commands = {{"demo", ""},
                                                                    {"relight", ""},
                                                                    {"record", ""},
                                                                    {"live", ""},
-                                                                   {"export", ""},
-                                                                   {"export", "x3d"},
+                                                                   {"export web", ""},
+                                                                   {"export tables", ""},
+                                                                   {"export x3d", ""},
                                                                    {"lab person", ""},
                                                                    {"lab field", ""},
                                                                    {"import", ""},
@@ -161,7 +162,7 @@ std::vector<std::string> arguments_of(const std::string& command, const std::str
   const std::string out = (at.folder / ("out-" + command.substr(command.find(' ') + 1) + what)).string();
   const std::string quick = (test::studies() / "quick.toml").string();
   if (command == "demo") return {"--out", out};
-  if (command == "render" && what == "job") return {quick, "--out", out, "--parallel", out + "-job"};
+  if (command == "job write") return {quick, "--out", out, "--parallel", out + "-job"};
   if (command == "render") return {quick, "--out", out, "--spp", "4096"};
   if (command == "verify") return {at.long_set.string()};
   if (command == "check" && what == "set") return {at.long_set.string()};
@@ -202,8 +203,8 @@ std::vector<std::string> arguments_of(const std::string& command, const std::str
   if (command == "study")
     return {at.set.string(), "--log", out + ".sqlite", "--observer", what,
             "--gain",        "1",     "--count",       "1000000"};
-  if (command == "log" && what == "status") return {at.log.string(), "--status"};
-  if (command == "log") return {at.log.string(), "--recover", out + ".sqlite"};
+  if (command == "log status") return {at.log.string()};
+  if (command == "log recover") return {at.log.string(), out + ".sqlite"};
   if (command == "analyze") return {at.log.string(), "--out", out};
   if (command == "fit" && what == "levels") return {at.counts.string(), "--alternatives", "3"};
   if (command == "fit") return {at.counts.string(), "--alternatives", "3", "--bootstrap", "1000"};
@@ -244,11 +245,11 @@ std::vector<std::string> arguments_of(const std::string& command, const std::str
         at.recording.string(), "--object", "builtin:statue", "--headless", "--time", "--frames", "1000000"};
   if (command == "import") return {out + ".sqlite", at.lines.string(), "--set", at.set.string()};
   if (command == "merge") return {at.small_log.string(), at.log.string()};
-  if (command == "export" && what == "x3d")
-    return {"builtin:bedroom", "--x3d", out, "--object", "builtin:statue", "--spp", "4096"};
+  if (command == "export x3d") return {"builtin:bedroom", out, "--object", "builtin:statue", "--spp", "4096"};
   if (command == "lab person") return {"--out", out};
   if (command == "lab field") return {"builtin:statue", "--out", out + ".png"};
-  if (command == "export") return {at.set.string(), "--web", out, "--pilot", "--slots", "9999"};
+  if (command == "export tables") return {at.log.string(), out};
+  if (command == "export web") return {at.set.string(), out, "--pilot", "--slots", "9999"};
   if (command == "lab marker") return {"--spp", "4096", "--out", out};
   if (command == "picture") return {"builtin:bedroom", "--spp", "4096", "--out", out + ".png"};
   if (command == "views")
@@ -274,9 +275,9 @@ TEST(Signals, TheFirstEndsEveryCommand) {
     if (command == "calibrate" && !registration::has_opencv()) continue;
     if (command == "lab marker" && !registration::has_aruco()) continue;
     if (command == "settle" && !renderer::has_physics()) continue;
-    if (command == "export" &&
-        !fs::exists(what == "x3d" ? web_page_folder().parent_path() / "x3d" / "x3dom.js"
-                                  : web_page_folder() / "jspsych.js"))
+    if ((command == "export web" || command == "export x3d") &&
+        !fs::exists(command == "export x3d" ? web_page_folder().parent_path() / "x3d" / "x3dom.js"
+                                            : web_page_folder() / "jspsych.js"))
       continue;
     signal = signal == SIGTERM ? SIGINT : SIGTERM;
     SCOPED_TRACE(command + " " + what);
@@ -288,7 +289,7 @@ TEST(Signals, TheFirstEndsEveryCommand) {
         << "it asked less often whether to stop: " << test::read_text(running.output);
     EXPECT_EQ(test::status_after(running, signal), 130);
     EXPECT_THAT(test::read_text(running.output), testing::HasSubstr("seamline: stopped"));
-    EXPECT_FALSE(what == "job" && fs::exists(work().folder / "out-renderjob-job"));
+    EXPECT_FALSE(fs::exists(work().folder / "out-write-job"));
   }
 }
 
@@ -296,8 +297,12 @@ TEST(Signals, AreTriedOnEveryCommand) {
   std::set<std::string> tried;
   for (const auto& [command, what] : commands) tried.insert(command);
   tried.insert("place");  // a window, which needs a display
-  tried.insert("ask");    // it waits for lines, of which these commands get none: Ask.*
-  tried.insert("serve");  // a signal is its only end, and a good one: tests/online
+  // One step each, done or not.
+  tried.merge(std::set<std::string>{"log exclude", "log forget", "log identifiers", "log forget-identifiers",
+                                    "log backup", "log tracks", "log upgrade", "job status", "export video"});
+  tried.insert("job piece");  // Cluster.* and ClusterScripts.*
+  tried.insert("ask");        // it waits for lines, of which these commands get none: Ask.*
+  tried.insert("serve");      // a signal is its only end, and a good one: tests/online
   std::set<std::string> listed;
   bool failed = false;
   const std::unique_ptr<CLI::App> app = program(failed);

@@ -1,4 +1,4 @@
-// A log of an older schema, as people meet it: read as it is, upgraded by `log --upgrade`, or refused with
+// A log of an older schema, as people meet it: read as it is, upgraded by `log upgrade`, or refused with
 // one sentence. Kills and full disks are tried in tests/faults.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -54,7 +54,7 @@ class Upgrade : public testing::Test {
   void expect_refused(const fs::path& from, const std::string& options, const std::string& part) const {
     const std::string before = fs::is_regular_file(from) ? read_text(from) : "";
     const std::vector<fs::path> files_before = files();
-    const Outcome outcome = run_seamline("log " + from.string() + " " + options);
+    const Outcome outcome = run_seamline("log upgrade " + from.string() + " " + options);
     EXPECT_EQ(outcome.status, 1) << outcome.output;
     EXPECT_THAT(outcome.output, HasSubstr(part));
     EXPECT_EQ(std::count(outcome.output.begin(), outcome.output.end(), '\n'), 1) << outcome.output;
@@ -68,7 +68,7 @@ class Upgrade : public testing::Test {
 TEST_F(Upgrade, ThresholdsAreThoseOfTheProgramThatWroteTheLog) {
   const std::string thresholds = thresholds_of(old);
   EXPECT_EQ(thresholds, thresholds_of(today));
-  const Outcome upgrade = run_seamline("log " + old.string() + " --upgrade " + upgraded.string());
+  const Outcome upgrade = run_seamline("log upgrade " + old.string() + " " + upgraded.string());
   ASSERT_EQ(upgrade.status, 0) << upgrade.output;
   EXPECT_EQ(thresholds, thresholds_of(upgraded));
 
@@ -86,19 +86,18 @@ TEST_F(Upgrade, ThresholdsAreThoseOfTheProgramThatWroteTheLog) {
 }
 
 TEST_F(Upgrade, RefusesInOneSentenceAndTouchesNothing) {
-  const std::string into = "--upgrade " + upgraded.string();
-  expect_refused(old, "--upgrade " + today.string(), "does not exist yet");
-  expect_refused(old, "--upgrade " + old.string(), "does not exist yet");
-  expect_refused(old, "--upgrade " + folder.string(), "does not exist yet");
-  expect_refused(old, "--upgrade " + (folder / "none" / "new.sqlite").string(),
-                 "a folder that can be written");
+  const std::string into = upgraded.string();
+  expect_refused(old, today.string(), "does not exist yet");
+  expect_refused(old, old.string(), "does not exist yet");
+  expect_refused(old, folder.string(), "does not exist yet");
+  expect_refused(old, (folder / "none" / "new.sqlite").string(), "a folder that can be written");
   expect_refused(folder / "none.sqlite", into, "no such file");
   expect_refused(folder, into, "not a file");
   expect_refused(today, into, "needs no upgrade");
   if (::geteuid() != 0) {
     fs::create_directory(folder / "locked");
     fs::permissions(folder / "locked", fs::perms::owner_read | fs::perms::owner_exec);
-    expect_refused(old, "--upgrade " + (folder / "locked" / "new.sqlite").string(), "can be written");
+    expect_refused(old, (folder / "locked" / "new.sqlite").string(), "can be written");
   }
   const std::string whole = read_text(old);
   for (const std::size_t kept : {std::size_t{0}, std::size_t{60}, whole.size() / 2}) {
@@ -109,14 +108,23 @@ TEST_F(Upgrade, RefusesInOneSentenceAndTouchesNothing) {
     std::string damaged = whole;
     damaged.replace(page * 4096, 4096, 4096, '\0');
     test::write_text(old, damaged);
-    expect_refused(old, into, "--recover");
+    expect_refused(old, into, "log recover");
   }
 }
 
-TEST_F(Upgrade, WhatElseIsAskedForIsRefusedAndNotForgotten) {
+TEST_F(Upgrade, TheFormerSpellingMakesOneThingAtATime) {
   for (const std::string other : {"--status", "--tracks", "--exclude sim-0001", "--forget sim-0001"})
-    for (const std::string makes : {"--upgrade ", "--recover "})
-      expect_refused(old, other + " " + makes + upgraded.string(), "excludes");
+    for (const std::string makes : {"--upgrade ", "--recover "}) {
+      const Outcome both =
+          run_seamline("log " + old.string() + " " + other + " " + makes + upgraded.string());
+      EXPECT_EQ(both.status, 1);
+      EXPECT_THAT(both.output, HasSubstr("at a time"));
+      EXPECT_FALSE(fs::exists(upgraded));
+    }
+  const Outcome former = run_seamline("log " + old.string() + " --upgrade " + upgraded.string());
+  EXPECT_EQ(former.status, 0) << former.output;
+  EXPECT_THAT(former.output, HasSubstr("this is now seamline log upgrade " + old.string()));
+  EXPECT_TRUE(fs::exists(upgraded));
 }
 
 }  // namespace

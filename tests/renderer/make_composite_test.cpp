@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "composites/composite_request.h"
-#include "composites/objects_file.h"
+#include "composites/objects/objects_file.h"
 #include "composites/seamless_width.h"
 #include "renderer/depth/depth_map.h"
 #include "sensors/frame/depth_frame.h"

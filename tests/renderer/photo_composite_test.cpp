@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "composites/fast_photo.h"
-#include "composites/photo_objects.h"
+#include "composites/objects/photo_objects.h"
 #include "composites/seamless_width.h"
 #include "renderer/depth/capture.h"
 #include "renderer/depth/depth_mesh.h"

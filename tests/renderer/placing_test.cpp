@@ -1,11 +1,11 @@
 // Objects that a person puts somewhere: what each action changes, and that the file holds it.
-#include "composites/placing.h"
+#include "composites/objects/placing.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
-#include "composites/objects_file.h"
+#include "composites/objects/objects_file.h"
 #include "support/files/atomic_file.h"
 #include "support/text/error.h"
 

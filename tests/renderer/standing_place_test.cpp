@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <span>
 
-#include "composites/placing.h"
+#include "composites/objects/placing.h"
 #include "renderer/depth/capture.h"
 #include "renderer/depth/depth_mesh.h"
 #include "shapes.h"

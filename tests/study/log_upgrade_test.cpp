@@ -104,7 +104,7 @@ TEST_F(LogUpgradeTest, AnswersThatWaitInTheWriteAheadLogAreBroughtOver) {
 
 TEST_F(LogUpgradeTest, SessionsGoOnInTheUpgradedLogAndTheOldOneNamesTheCommand) {
   const std::string before = read_file(old);
-  EXPECT_THAT(complaint_of([&] { LogWriter log(old, set); }), HasSubstr("seamline log LOG --upgrade NEW"));
+  EXPECT_THAT(complaint_of([&] { LogWriter log(old, set); }), HasSubstr("seamline log upgrade LOG NEW"));
   EXPECT_EQ(read_file(old), before);
   (void)upgrade_log(old, upgraded);
   LogWriter log(upgraded, set);

@@ -242,7 +242,7 @@ void check_version(SQLite::Database& database, const fs::path& path) {
   if (const int version = schema_version_of(database); version < log_schema_version)
     throw input_error({.file = path.string(),
                        .field = "user_version",
-                       .wanted = fmt::format("a log of schema version {} (`seamline log LOG --upgrade NEW`)",
+                       .wanted = fmt::format("a log of schema version {} (`seamline log upgrade LOG NEW`)",
                                              log_schema_version),
                        .found = fmt::format("version {}", version)});
 }

@@ -111,7 +111,7 @@ class Intake {
     std::optional<TrialSequence> sequence = {};  ///< of an adaptive study, as far as it is remembered
   };
 
-  /// `seamline log LOG --exclude CODE` may have been called since the last transaction.
+  /// `seamline log exclude LOG CODE` may have been called since the last transaction.
   void look_who_is_excluded();
   Person& person(const std::string& code);
   Person& participant(const std::string& code);  ///< who is not excluded

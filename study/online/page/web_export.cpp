@@ -134,7 +134,7 @@ void add_page(WebFiles& files, const StudyDefinition& study, Origin host) {
   if (!fs::is_regular_file(folder / "jspsych.js", error) ||
       !fs::is_regular_file(folder / "index.html", error))
     throw input_error(
-        {.field = "--web",
+        {.field = "seamline export web",
          .wanted = "a seamline that was built with its page (SEAMLINE_WEB, which needs jsPsych)",
          .found = "one without"});
   std::vector<std::string> names;

@@ -9,7 +9,7 @@
 
 namespace seamline::study::online {
 
-/// What `seamline export SET --web DIR` asks for.
+/// What `seamline export web SET DIR` asks for.
 struct WebRequest {
   std::filesystem::path set_folder = {};
   std::filesystem::path out_folder = {};  ///< not there yet, or empty

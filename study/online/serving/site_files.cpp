@@ -93,7 +93,7 @@ const JsonValue& field(const JsonValue& object, const std::string& key, JsonValu
   if (const JsonValue* value = member_of(object, key); value != nullptr && value->kind == kind) return *value;
   throw input_error({.file = file.string(),
                      .field = key,
-                     .wanted = "a file that seamline export --web wrote",
+                     .wanted = "a file that seamline export web wrote",
                      .found = "none or something else"});
 }
 
@@ -144,7 +144,7 @@ SiteFiles read_site_files(const fs::path& folder) {
   const fs::path list = folder / "files.json";
   if (std::error_code error; !fs::exists(list, error))
     throw input_error({.file = folder.string(),
-                       .wanted = "a folder that seamline export --web wrote",
+                       .wanted = "a folder that seamline export web wrote",
                        .found = fs::is_directory(folder, error) ? "one without files.json" : "none"});
   const JsonValue listed = read_json(list);
   SiteFiles site;

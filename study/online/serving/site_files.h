@@ -9,7 +9,7 @@
 
 namespace seamline::study::online {
 
-/// What a page that `seamline export --web` wrote consists of, and what its study.json says.
+/// What a page that `seamline export web` wrote consists of, and what its study.json says.
 struct SiteFiles {
   std::map<std::string, std::shared_ptr<const SentFile>>
       by_path;  ///< "/index.html", "/"; nothing else is sent

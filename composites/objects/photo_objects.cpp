@@ -1,4 +1,4 @@
-#include "composites/photo_objects.h"
+#include "composites/objects/photo_objects.h"
 
 #include <fmt/core.h>
 

@@ -1,4 +1,4 @@
-#include "composites/objects_file.h"
+#include "composites/objects/objects_file.h"
 
 #include <fmt/core.h>
 

@@ -1,4 +1,4 @@
-#include "composites/placing.h"
+#include "composites/objects/placing.h"
 
 #include <fmt/core.h>
 
@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "composites/objects_file.h"
+#include "composites/objects/objects_file.h"
 #include "composites/view/standing_place.h"
 #include "support/files/assets.h"
 #include "support/files/atomic_file.h"

@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "composites/photo_objects.h"
+#include "composites/objects/photo_objects.h"
 
 namespace seamline::renderer {
 

@@ -1,4 +1,4 @@
-#include "commands/photographs/x3d_options.h"
+#include "commands/photographs/x3d_command.h"
 
 #include <fmt/core.h>
 
@@ -25,7 +25,6 @@ constexpr std::initializer_list<const char*> of_scenes = {
     "--at",     "--look-at",        "--fov",      "--size",   "--environment",
     "--to-sun", "--sun-irradiance", "--bounces",  "--albedo", "--exposure"};
 constexpr std::initializer_list<const char*> of_sets = {"--stimulus", "--asset-root"};
-constexpr std::initializer_list<const char*> of_both = {"--user", "--spp", "--seed"};
 
 struct X3dOptions {
   X3dRequest request;
@@ -85,9 +84,9 @@ void take_scene(const X3dOptions& options, const CLI::App& command, X3dRequest& 
   if (given("--to-sun")) light.sun = sun_of(options.sun);
 }
 
-void run_x3d(const X3dOptions& options, const CLI::App& command, const std::string& source) {
+void run_x3d(const X3dOptions& options, const CLI::App& command) {
   X3dRequest request = options.request;
-  request.source = source;
+  const std::string& source = request.source;
   request.out_folder = options.folder;
   std::error_code error;
   const bool is_set = std::filesystem::is_directory(source, error);
@@ -116,7 +115,7 @@ void check_size(const std::string& text) {
 
 void add_scene_options(CLI::App& command, X3dOptions& options) {
   command.add_option("--object", options.object,
-                     "of --x3d with a scene: what is put into it, .glb, .gltf or builtin:NAME");
+                     "of a scene: what is put into it, .glb, .gltf or builtin:NAME");
   add_number(command, "--position", options.position_m, any_place_m,
              "where the object's origin is (with --height: the middle of its lowest level), in the scene");
   add_number(command, "--rotation", options.rotation_deg, {-1e9, 1e9, "degrees"},
@@ -145,23 +144,24 @@ void add_scene_options(CLI::App& command, X3dOptions& options) {
 
 }  // namespace
 
-X3dExport add_x3d_options(CLI::App& command) {
+void add_x3d_command(CLI::App& group) {
   const auto options = std::make_shared<X3dOptions>();
-  CLI::Option* x3d =
-      command.add_option("--x3d", options->folder,
-                         "folder for a page in X3DOM: a stimulus of a set, or a scene with an object in it");
-  command.add_option("--stimulus", options->request.stimulus, "of --x3d with a set: its id (the first)");
-  command.add_option("--asset-root", options->request.asset_root,
-                     "folder whose scene files the set's study may name besides those below its own folder");
-  add_scene_options(command, *options);
-  command.add_option("--user", options->request.user,
-                     "a recorded person in the scene: a TOML file of joints (documentation/how-to/x3d.md)");
-  add_number(command, "--spp", options->request.spp, {1, 65536}, "samples per pixel of the photograph (64)");
-  add_number(command, "--seed", options->request.seed, any_seed, "seed of the samples (1)");
-  for (const auto& names : {of_scenes, of_sets, of_both})
-    for (const char* name : names) command.get_option(name)->needs(x3d);
-  return {.is_asked = [options] { return !options->folder.empty(); },
-          .write = [options, &command](const std::string& source) { run_x3d(*options, command, source); }};
+  CLI::App* command =
+      group.add_subcommand("x3d", "a stimulus of a set, or a scene with an object in it, as a page in X3DOM");
+  command
+      ->add_option("source", options->request.source,
+                   "folder of a set, or a scene: .glb, .gltf, builtin:NAME")
+      ->required();
+  command->add_option("folder", options->folder, "folder for the page")->required();
+  command->add_option("--stimulus", options->request.stimulus, "of a set: the stimulus' id (the first)");
+  command->add_option("--asset-root", options->request.asset_root,
+                      "folder whose scene files the set's study may name besides those below its own folder");
+  add_scene_options(*command, *options);
+  command->add_option("--user", options->request.user,
+                      "a recorded person in the scene: a TOML file of joints (documentation/how-to/x3d.md)");
+  add_number(*command, "--spp", options->request.spp, {1, 65536}, "samples per pixel of the photograph (64)");
+  add_number(*command, "--seed", options->request.seed, any_seed, "seed of the samples (1)");
+  command->callback([options, command] { run_x3d(*options, *command); });
 }
 
 }  // namespace seamline::renderer

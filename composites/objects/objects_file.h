@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "composites/photo_objects.h"
+#include "composites/objects/photo_objects.h"
 #include "stimuli/definition/study_definition.h"
 
 namespace seamline::renderer {

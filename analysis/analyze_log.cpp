@@ -1,0 +1,132 @@
+#include "analysis/analyze_log.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "analysis/log_analysis/analysis.h"
+#include "analysis/log_analysis/no_seam.h"
+#include "analysis/report/figures/figures.h"
+#include "analysis/report/figures/stimulus_samples.h"
+#include "analysis/report/json/report_json.h"
+#include "analysis/report/json/thresholds_json.h"
+#include "analysis/report/page/methods_text.h"
+#include "analysis/report/page/report_html.h"
+#include "analysis/report/tables/all_tables.h"
+#include "analysis/report/tables/dictionary.h"
+#include "analysis/report/tables/preregistration_table.h"
+#include "analysis/report/text/checks_text.h"
+#include "analysis/report/text/numbers_text.h"
+#include "analysis/report/text/threshold_text.h"
+#include "stimuli/definition/methods/analysis_definition.h"
+#include "support/files/atomic_file.h"
+#include "support/files/gnuplot.h"
+#include "support/files/temporary_folder.h"
+#include "support/text/error.h"
+
+namespace seamline::analysis {
+
+namespace {
+
+void require_shared_blocks(const std::vector<std::string>& words) {
+  for (const std::string& word : words)
+    if (shared_block(word) == nullptr)
+      throw input_error({.field = "--own",
+                         .wanted = "scale, criteria, lapse or guess_ratings",
+                         .found = "\"" + word + "\""});
+}
+
+/// Published thresholds beside those of the joint model. Throws InputError where they name what is not there.
+void lay_beside_published(Analysis& analysis, PublishedThresholds published, const AnalysisRequest& request) {
+  for (const PublishedThreshold& one : published.values)
+    if (!one.condition.empty() && std::find(analysis.conditions.begin(), analysis.conditions.end(),
+                                            one.condition) == analysis.conditions.end())
+      throw input_error({.file = request.published,
+                         .field = "condition",
+                         .wanted = analysis.conditions.empty()
+                                       ? "no condition: the study has one"
+                                       : fmt::format("one of {}", fmt::join(analysis.conditions, ", ")),
+                         .found = one.condition});
+  if (!analysis.joint) {
+    analysis.notes.emplace_back("Published thresholds are not compared: there is no joint model.");
+    return;
+  }
+  if (!analysis.joint->fit.estimated()) {
+    analysis.notes.push_back("Published thresholds are not compared: the joint model has no numbers.");
+    return;
+  }
+  analysis.replication = compare_with_published(*analysis.joint, {.published = std::move(published),
+                                                                  .margin = request.published_margin,
+                                                                  .replicates = 10000,
+                                                                  .seed = request.seed});
+}
+
+}  // namespace
+
+AnalysisSummary analyze_log(const AnalysisRequest& request) {
+  require_gnuplot();
+  if (request.no_seam_at.has_value() != request.no_seam_margin.has_value())
+    throw input_error({.field = request.no_seam_at ? "--no-seam-at" : "--margin",
+                       .wanted = request.no_seam_at ? "--margin beside it: how much counts as none"
+                                                    : "--no-seam-at LEVEL beside it",
+                       .found = "it alone"});
+  AnalysisOptions options;
+  options.field_of_view_deg = request.field_of_view_deg;
+  options.exclude_screened = request.exclude_screened;
+  options.exclude_inattentive = request.exclude_inattentive;
+  options.exclude_uncorrected = request.exclude_uncorrected;
+  options.compare = request.compare;
+  require_shared_blocks(request.own);
+  options.own = request.own;
+  std::optional<Archive> archive;
+  std::optional<PublishedThresholds> published;
+  if (!request.published.empty()) published = read_published(request.published);
+  if (!request.frozen.empty()) archive = read_archive(request.frozen);
+  study::LogContents log = study::read_log(request.log);
+  options.displays = study::read_displays(request.log);
+  Analysis analysis =
+      analyze(std::move(log), request.include_pilot,
+              {.replicates = request.bootstrap_replicates, .seed = request.seed, .threads = request.threads},
+              options);
+
+  if (!request.own.empty() && !analysis.joint)
+    throw input_error({.field = "--own",
+                       .wanted = "a study whose [analysis] says model = \"joint\"",
+                       .found = "model = \"paper\""});
+  if (published) lay_beside_published(analysis, std::move(*published), request);
+  if (archive) compare_with_archive(analysis, *archive);
+  for (std::string& note : notes_on_depth(analysis.log)) analysis.notes.push_back(std::move(note));
+  if (request.no_seam_at)
+    for (std::string& note : no_seam_sentences(analysis, *request.no_seam_at, *request.no_seam_margin))
+      analysis.notes.push_back(std::move(note));
+
+  const ReportNumbers numbers = report_numbers(analysis);
+  const std::filesystem::path& folder = request.report_folder;
+  const std::filesystem::path figures_folder = folder / "figures";
+  prepare_output_folder(folder);
+  prepare_output_folder(figures_folder);
+  const std::vector<Figure> figures = draw_figures(analysis, numbers, figures_folder);
+  const StimulusSamples samples = sample_stimuli(analysis, TemporaryFolder().path());
+  const std::vector<CsvTable> tables = all_tables(analysis, numbers);
+  const auto write = [&](const std::string& name, const std::string& text) {
+    write_file_atomically(folder / name, text, Readers::owner);  // it is what people answered
+  };
+  for (const CsvTable& table : tables) write(table.name + ".csv", csv_text(table));
+  write("data_dictionary.csv", csv_text(report_dictionary(tables, numbers.axis, numbers.conditions)));
+  write("thresholds.json", thresholds_json(analysis));
+  const MethodsText methods = methods_text(analysis, numbers);
+  write("report.json", report_json(analysis, methods, tables));
+  write("methods.txt", plain_text(methods));
+  write("report.html", report_html(analysis, numbers, figures, samples));
+  std::vector<std::string> notes = analysis.notes;
+  for (const std::string& note : notes_on(samples)) notes.push_back(note);
+  return {.frozen = frozen_text(analysis),
+          .table = table_text(analysis),
+          .checks = checks_text(analysis),
+          .sections = numbers_text(analysis, numbers),
+          .notes = std::move(notes),
+          .report_html = folder / "report.html"};
+}
+
+}  // namespace seamline::analysis
