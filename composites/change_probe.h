@@ -1,6 +1,6 @@
 #pragma once
-#include "composites/photo_composite.h"
 #include "composites/objects/photo_objects.h"
+#include "composites/photo_composite.h"
 
 namespace seamline::renderer {
 

@@ -1,12 +1,13 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "composites/photo_depth.h"
 #include "composites/objects/photo_objects.h"
+#include "composites/photo_depth.h"
 #include "composites/photograph.h"
 #include "sensors/frame/depth_test.h"
 #include "stimuli/definition/study_definition.h"
@@ -74,8 +75,14 @@ struct CompositeRequest {
   double pixels_per_degree = default_pixels_per_degree;  ///< for FLIP in the report
 };
 
-/// Makes the composite and writes its files; notes go to standard error, what was made to standard output.
-/// Throws InputError with one sentence where something is wrong, and where not one pixel would change.
-void make_composite(const CompositeRequest& request);
+/// Who is told what, as soon as it is known; empty: nobody.
+struct CompositeListener {
+  std::function<void(const std::string&)> line;  ///< what is made, and of what
+  std::function<void(const std::string&)> note;  ///< what whoever uses the picture must know
+};
+
+/// Makes the composite and writes its files. Throws InputError with one sentence where something is wrong,
+/// and where not one pixel would change.
+void make_composite(const CompositeRequest& request, const CompositeListener& listener = {});
 
 }  // namespace seamline::renderer

@@ -10,8 +10,8 @@
 #include "composites/composite_report.h"
 #include "composites/composite_request.h"
 #include "composites/fast_photo.h"
-#include "composites/photo_world.h"
 #include "composites/objects/placing.h"
+#include "composites/photo_world.h"
 #include "composites/seamless_width.h"
 #include "raytracer/common/parallel.h"
 #include "raytracer/common/stopwatch.h"
@@ -226,8 +226,8 @@ ChosenWidth choose_width(const CompositeRequest& request, const PhotoScene& scen
   const SeamlessWidth width = seamless_width(
       present_artifacts(scene, !request.occlusion_mask.empty(), !request.shadow_matte.empty()), thresholds);
   for (const WidthNeed& need : width.needs)
-    fmt::print("{}: {} ({})\n", word(need.artifact),
-               need.width_px ? fmt::format("{} px", *need.width_px) : "no width", need.rule);
+    notes.tell(fmt::format("{}: {} ({})", word(need.artifact),
+                           need.width_px ? fmt::format("{} px", *need.width_px) : "no width", need.rule));
   if (width.needs.empty())
     notes.say("no artifact is present, so that the smallest width that was tested is enough");
   if (!width.width_px) notes.say("no width is enough by the thresholds: the whole depth map is used");
@@ -246,11 +246,11 @@ DepthMesh budgeted_mesh(const CompositeRequest& request, const PhotoScene& scene
 
 }  // namespace
 
-void make_composite(const CompositeRequest& asked) {
+void make_composite(const CompositeRequest& asked, const CompositeListener& listener) {
   CompositeRequest request = asked;
   if (request.threads == 0) request.threads = default_thread_count();
   request.depth.threads = request.threads;
-  Notes notes;
+  Notes notes(listener);
   PhotoWorld world;
   world.seen = see(request, notes);
   const SeenPhoto& seen = world.seen;
@@ -277,15 +277,15 @@ void make_composite(const CompositeRequest& asked) {
     objects = place_objects(request.objects, seen.centre_m, &local.mesh);
   for (const PhotoObjects::Size& size : objects.sizes) made.objects.push_back(model_text(size));
   made.light = known.text;
-  for (const std::string& light : made.light) fmt::print("light: {}\n", light);
-  for (const std::string& object : made.objects) fmt::print("object {}\n", object);
-  for (const std::string& sentence : put) fmt::print("{}\n", sentence);
-  for (const std::string& sentence : objects.rests) fmt::print("{}\n", sentence);
+  for (const std::string& light : made.light) notes.tell("light: " + light);
+  for (const std::string& object : made.objects) notes.tell("object " + object);
+  for (const std::string& sentence : put) notes.tell(sentence);
+  for (const std::string& sentence : objects.rests) notes.tell(sentence);
 
   const Geometry object_geometry(objects.meshes);
   const GivenAnswers given = given_answers(request, seen, depth);
   made.answers = answers_text(request);
-  for (const std::string& answer : made.answers) fmt::print("{}\n", answer);
+  for (const std::string& answer : made.answers) notes.tell(answer);
   if (given.shadow_matte && known.light.suns.empty())
     throw input_error(
         {.field = "--shadow-matte", .wanted = "a sun, whose shadow it shows", .found = "light without one"});
@@ -377,13 +377,14 @@ void make_composite(const CompositeRequest& asked) {
     }
     write_composite_report(request, made, full);
   }
-  fmt::print("{}: {} x {} pixels, {} of them changed; {} triangles; {}, {}{}; {:.1f} s\n", request.out,
-             scene.camera.width_px, scene.camera.height_px, made.changed_pixels, made.triangles,
-             made.estimator, samples_text(made.taken),
-             made.error ? fmt::format(", estimated error {:.4f}", *made.error) : "",
-             made.mesh_seconds + made.picture_seconds);
-  fmt::print("{} pixels had too little light for a ratio, {} were clamped\n",
-             made.picture.tiny_denominators.floored_pixels, made.picture.tiny_denominators.clamped_pixels);
+  notes.tell(fmt::format("{}: {} x {} pixels, {} of them changed; {} triangles; {}, {}{}; {:.1f} s",
+                         request.out, scene.camera.width_px, scene.camera.height_px, made.changed_pixels,
+                         made.triangles, made.estimator, samples_text(made.taken),
+                         made.error ? fmt::format(", estimated error {:.4f}", *made.error) : "",
+                         made.mesh_seconds + made.picture_seconds));
+  notes.tell(fmt::format("{} pixels had too little light for a ratio, {} were clamped",
+                         made.picture.tiny_denominators.floored_pixels,
+                         made.picture.tiny_denominators.clamped_pixels));
 }
 
 }  // namespace seamline::renderer

@@ -1,7 +1,5 @@
 #include "composites/photo_view.h"
 
-#include <fmt/core.h>
-
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
@@ -67,8 +65,12 @@ void require_one_pose(const CompositeRequest& request) {
 }  // namespace
 
 void Notes::say(const std::string& note) {
-  fmt::print(stderr, "note: {}\n", note);
+  if (listener_.note) listener_.note(note);
   said.push_back(note);
+}
+
+void Notes::tell(const std::string& line) const {
+  if (listener_.line) listener_.line(line);
 }
 
 SeenPhoto see(const CompositeRequest& request, Notes& notes) {

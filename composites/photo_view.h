@@ -8,11 +8,17 @@
 
 namespace seamline::renderer {
 
-/// Said while a composite is made, and again in its report.
+/// What is said while a composite is made; its notes again in its report.
 class Notes {
  public:
+  Notes() = default;
+  explicit Notes(CompositeListener listener) : listener_(std::move(listener)) {}
   void say(const std::string& note);
+  void tell(const std::string& line) const;
   std::vector<std::string> said;
+
+ private:
+  CompositeListener listener_;
 };
 
 /// The photograph as its camera sees it, and the panorama that it may be a view of.

@@ -125,11 +125,10 @@ class SetRenderer {
       written = std::move(now);
     }
     if (written.stimuli.size() < earlier_stimuli_)
-      fmt::print(
-          stderr,
-          "seamline: the set had {} stimuli and now has {}: the others were rendered with other settings; "
-          "render without --only to make them again\n",
-          earlier_stimuli_, written.stimuli.size());
+      summary_.notes.push_back(
+          fmt::format("the set had {} stimuli and now has {}: the others were rendered with other settings; "
+                      "render without --only to make them again",
+                      earlier_stimuli_, written.stimuli.size()));
   }
 
   ReportProgress report(double work, const std::string& what) {

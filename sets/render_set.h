@@ -40,6 +40,7 @@ struct RenderSummary {
   int rendered = 0;
   int already_finished = 0;
   double seconds = 0;
+  std::vector<std::string> notes;                        ///< what whoever asked must know, a sentence each
   std::vector<std::pair<std::string, Savings>> savings;  ///< of each scene rendered
 };
 

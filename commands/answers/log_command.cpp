@@ -125,8 +125,7 @@ void add_copies(CLI::App& log) {
 }  // namespace
 
 void add_log_command(CLI::App& app) {
-  CLI::App* log =
-      app.add_subcommand("log", "status, exclude, forget, backup, recover, upgrade of a log");
+  CLI::App* log = app.add_subcommand("log", "status, exclude, forget, backup, recover, upgrade of a log");
   log->require_subcommand(1);
   add_people(*log);
   add_panel(*log);

@@ -1,5 +1,7 @@
 #include "commands/depth_cameras/live_command.h"
 
+#include <fmt/core.h>
+
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
@@ -111,7 +113,7 @@ void run_live(const LiveOptions& options, const ShowInWindow& show) {
                        .found = "none"});
   const LiveRequest request = request_of(options);
   if (options.headless)
-    run_headless(request);
+    fmt::print("{}", run_headless(request));
   else
     show(request);
 }

@@ -226,7 +226,9 @@ void run_composite(const CompositeOptions& options, const CLI::App& command) {
   if (given("--samples-picture"))
     need_extension(options.request.samples_picture, {".png"}, "--samples-picture");
   if (given("--report")) need_extension(options.request.report, {".html"}, "--report");
-  make_composite(request_of(options, command, given));
+  make_composite(request_of(options, command, given),
+                 {.line = [](const std::string& line) { fmt::print("{}\n", line); },
+                  .note = [](const std::string& note) { fmt::print(stderr, "note: {}\n", note); }});
 }
 
 /// What `place` leaves to `composite`, whose command line is the same but for the first word.

@@ -111,6 +111,7 @@ RenderSummary render_and_say(const StudyDefinition& study, const RenderRequest& 
   RenderSummary summary = render_set(study, request);
   fmt::print("{}: {} stimuli rendered, {} kept from before, {}\n", request.set_folder.string(),
              summary.rendered, summary.already_finished, duration_text(summary.seconds));
+  for (const std::string& note : summary.notes) fmt::print(stderr, "seamline: {}\n", note);
   std::fflush(stdout);
   return summary;
 }

@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
+#include "composites/objects/placing.h"
 #include "composites/photo_world.h"
 #include "composites/place/place_input.h"
 #include "composites/place_preview.h"
-#include "composites/objects/placing.h"
 #include "support/running/interrupt.h"
 #include "support/running/parallel.h"
 #include "support/text/error.h"
@@ -207,7 +207,8 @@ void place_in_window(const renderer::PlaceRequest& asked_for) {
   renderer::OpenedObjects opened;
   if (std::filesystem::exists(request.objects_file))
     opened = renderer::open_objects(request.objects_file, request.asset_root);
-  renderer::Notes notes;
+  renderer::Notes notes(
+      {.line = {}, .note = [](const std::string& note) { fmt::print(stderr, "note: {}\n", note); }});
   renderer::PhotoWorld world;
   world.seen = renderer::see(request.photo, notes);
   renderer::read_photo_world(request.photo, world, notes);

@@ -22,20 +22,23 @@ void write_pictures(const std::filesystem::path& folder, int number, const LiveF
               frame.eyes[i].codes);
 }
 
-void print_bodies(const FallingBodies& bodies) {
+std::string bodies_text(const FallingBodies& bodies) {
+  std::string text;
   for (std::size_t i = 0; i < bodies.poses().size(); ++i) {
     const BodyPose& pose = bodies.poses()[i];
     const Eigen::Vector3d at_m = pose.world_from_body.translation();
-    fmt::print("  {} after {:.2f} s of falling: at {:.4f} {:.4f} {:.4f}, {}\n",
-               printable(bodies.bodies()[i].name), bodies.simulated_s(), at_m.x(), at_m.y(), at_m.z(),
-               pose.is_held ? "held, because no surface is seen below it"
-                            : fmt::format("at {:.3g} m/s", pose.speed_m_s));
+    text +=
+        fmt::format("  {} after {:.2f} s of falling: at {:.4f} {:.4f} {:.4f}, {}\n",
+                    printable(bodies.bodies()[i].name), bodies.simulated_s(), at_m.x(), at_m.y(), at_m.z(),
+                    pose.is_held ? "held, because no surface is seen below it"
+                                 : fmt::format("at {:.3g} m/s", pose.speed_m_s));
   }
+  return text;
 }
 
 }  // namespace
 
-void run_headless(const LiveRequest& request) {
+std::string run_headless(const LiveRequest& request) {
   LiveSession session(request);
   if (!request.out.empty()) prepare_output_folder(request.out);
   const LoadedRecording& recording = session.recording();
@@ -64,15 +67,17 @@ void run_headless(const LiveRequest& request) {
     progress.advance(1, "");
   }
   write_tables(request, timed, poses);
-  fmt::print("{} x {}, {} view{}, local scene of {} triangles, virtual things of {}; {}, {}, {}\n{}",
-             recording.view.width_px, recording.view.height_px, request.settings.views,
-             request.settings.views == 1 ? "" : "s", triangles, session.virtual_triangles(),
-             word(request.methods.mapping), word(request.methods.occlusion), word(request.methods.shadows),
-             times_text(timed));
-  fmt::print("  processor time of a frame, all cores together: {:.2f} ms (mean)\n",
-             1000 * processor_s / frames);
-  if (session.bodies() != nullptr) print_bodies(*session.bodies());
-  if (lost > 0) fmt::print("  the camera was not found in {} of {} frames\n", lost, frames);
+  std::string text =
+      fmt::format("{} x {}, {} view{}, local scene of {} triangles, virtual things of {}; {}, {}, {}\n{}",
+                  recording.view.width_px, recording.view.height_px, request.settings.views,
+                  request.settings.views == 1 ? "" : "s", triangles, session.virtual_triangles(),
+                  word(request.methods.mapping), word(request.methods.occlusion),
+                  word(request.methods.shadows), times_text(timed));
+  text += fmt::format("  processor time of a frame, all cores together: {:.2f} ms (mean)\n",
+                      1000 * processor_s / frames);
+  if (session.bodies() != nullptr) text += bodies_text(*session.bodies());
+  if (lost > 0) text += fmt::format("  the camera was not found in {} of {} frames\n", lost, frames);
+  return text;
 }
 
 }  // namespace seamline::live
