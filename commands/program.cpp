@@ -31,6 +31,7 @@
 #include "commands/photographs/picture_command.h"
 #include "commands/photographs/views_command.h"
 #include "commands/planning/freeze_command.h"
+#include "commands/planning/observe_command.h"
 #include "commands/planning/plan_command.h"
 #include "commands/planning/predict_command.h"
 #include "commands/study/analyze_command.h"
@@ -95,7 +96,8 @@ std::vector<CommandGroup> command_groups(bool& any_case_failed) {
         renderer::add_job_command, [shown](CLI::App& app) { study::add_study_command(app, shown.of_study); },
         study::online::add_serve_command, study::online::add_ask_command, analysis::add_analyze_command}},
       {"Before it",
-       {analysis::add_plan_command, analysis::add_predict_command, analysis::add_freeze_command}},
+       {analysis::add_plan_command, analysis::add_predict_command, analysis::add_observe_command,
+        analysis::add_freeze_command}},
       {"Answers",
        {study::add_log_command, study::online::add_gathering_commands, study::online::add_export_command,
         analysis::add_fit_command}},

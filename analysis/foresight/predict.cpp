@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 
+#include "analysis/detection/detection_comparison.h"
 #include "analysis/thresholds/paper_values.h"
 #include "stimuli/set/manifest_pictures.h"
 #include "stimuli/study_file/parts/study_file_task.h"
@@ -49,6 +51,18 @@ double receiver_threshold(const Manifest& manifest, const VisibleDifferences& di
       {.field = "the gain",
        .wanted = "--gain, observer.image_gain, or a set with the artifact receiver to fix it on",
        .found = "none of them"});
+}
+
+GainSource gain_source_of(const PredictionRequest& request, const ObserverDefinition& observer) {
+  if (request.calibrate) return GainSource::paper;
+  if (request.gain) return GainSource::given;
+  return observer.image_gain ? GainSource::study : GainSource::detection;
+}
+
+double mean_difference(const PredictedArtifact& artifact) {
+  double sum = 0;
+  for (const PredictedCell& cell : artifact.cells) sum += cell.visible_difference;
+  return sum / static_cast<double>(artifact.cells.size());
 }
 
 /// For sorting: a missing threshold is beyond the widths on the side that its reason says.
@@ -132,9 +146,11 @@ Prediction predict_thresholds(const PredictionRequest& request) {
   known.insert(floors.begin(), floors.end());
   prediction.floor_known = !known.empty();
   for (const auto& [key, floor] : known) prediction.highest_floor = std::max(prediction.highest_floor, floor);
+  prediction.gain_source = gain_source_of(request, prediction.observer);
   if (request.gain) prediction.observer.image_gain = *request.gain;
-  prediction.calibrated = request.calibrate || !prediction.observer.image_gain;
-  if (prediction.calibrated)
+  if (prediction.gain_source == GainSource::detection)
+    prediction.observer.image_gain = detection_gain(prediction.observer);
+  if (prediction.gain_source == GainSource::paper)
     prediction.observer.image_gain =
         calibrated_gain(set.manifest, differences, prediction.observer,
                         paper_thresholds(Artifact::receiver).value().perceptual_px.value());
@@ -151,8 +167,8 @@ std::vector<Artifact> demanding_order(const std::vector<PredictedArtifact>& arti
   std::vector<PredictedArtifact> sorted = artifacts;
   std::stable_sort(sorted.begin(), sorted.end(), [](const PredictedArtifact& a, const PredictedArtifact& b) {
     const auto key = [](const PredictedArtifact& artifact) {
-      return std::pair(log2_or_beyond(artifact.thresholds.perceptual),
-                       log2_or_beyond(artifact.thresholds.slightly_noticeable));
+      return std::tuple(log2_or_beyond(artifact.thresholds.perceptual),
+                        log2_or_beyond(artifact.thresholds.slightly_noticeable), mean_difference(artifact));
     };
     return key(a) > key(b);
   });

@@ -15,8 +15,8 @@ namespace seamline::analysis {
 struct PredictionRequest {
   std::filesystem::path set_folder;
   std::filesystem::path none_set_folder;  ///< empty: floors come from the set's own `none` stimuli, or are 0
-  std::optional<double> gain;             ///< none: the study's `observer.image_gain`
-  bool calibrate = false;  ///< fixes the gain on this set; also done when neither request nor study has one
+  std::optional<double> gain;  ///< none: the study's `observer.image_gain`, else that of published thresholds
+  bool calibrate = false;      ///< fixes the gain on this set
   std::optional<double> pixels_per_degree;  ///< none: the study's `observer.pixels_per_degree`
   int threads = 0;
 };
@@ -34,10 +34,18 @@ struct PredictedArtifact {
   CurveThresholds thresholds;        ///< without intervals
 };
 
+/// On whose eyes a prediction rests.
+enum class GainSource {
+  given,      ///< with the request
+  study,      ///< `observer.image_gain`
+  detection,  ///< ModelFest's 16 people (analysis/detection)
+  paper       ///< fixed on this set so that the receiver's PT is the paper's
+};
+
 struct Prediction {
   ObserverDefinition observer;  ///< with the gain that was used
-  bool calibrated = false;      ///< the gain was fixed so that the receiver's PT is the paper's
-  bool floor_known = false;     ///< some stimulus without a seam told what rendering noise looks like
+  GainSource gain_source = GainSource::detection;
+  bool floor_known = false;  ///< some stimulus without a seam told what rendering noise looks like
   double highest_floor = 0;
   std::vector<PredictedArtifact> artifacts;  ///< in the order of `every_artifact`, without `none`
 };
@@ -58,6 +66,7 @@ struct Prediction {
                                      ObserverDefinition observer, double receiver_px);
 
 /// The artifacts from the most to the least demanding, by PT, then SN; "above at every width" comes first.
+/// Among those that are alike in both, by the mean visible difference over widths.
 [[nodiscard]] std::vector<Artifact> demanding_order(const std::vector<PredictedArtifact>& artifacts);
 
 }  // namespace seamline::analysis

@@ -42,7 +42,8 @@ void add_predict_command(CLI::App& app) {
   command->add_option("--none", options->none_set_folder,
                       "a set of the same scenes and objects rendered with the artifact none: the floor");
   CLI::Option* gain = add_number(*command, "--gain", options->gain, {1e-9, 1e9},
-                                 "instead of the study's observer.image_gain");
+                                 "instead of the study's observer.image_gain; without either, the gain of "
+                                 "published detection thresholds");
   command
       ->add_flag("--calibrate", options->calibrate,
                  "choose the gain that makes the receiver's perceptual threshold the paper's 426 px")

@@ -59,6 +59,24 @@ CsvTable cell_table(const Prediction& prediction) {
 /// The four artifacts of the paper by its Table 1: a dash of PT is above every width, a dash of SN below.
 constexpr const char* paper_order = "overlap, occlusion, receiver, shadow";
 
+/// On whose eyes the gain rests.
+std::string gain_text(const Prediction& prediction) {
+  switch (prediction.gain_source) {
+    case GainSource::given:
+      return "The gain was given with --gain.\n";
+    case GainSource::study:
+      return "The gain is the study's observer.image_gain.\n";
+    case GainSource::paper:
+      return "The gain was fixed so that the receiver's PT is the paper's: that number is no prediction.\n";
+    case GainSource::detection:
+      return "The gain rests on the eyes of ModelFest's 16 people, who looked for known patterns on a uniform "
+             "field\n(`seamline observe` shows how well). People who search a picture without its reference "
+             "see less:\nthe widths above are where a difference can be seen at all, not where a study "
+             "finds it.\n";
+  }
+  return {};
+}
+
 std::string joined(const std::vector<Artifact>& artifacts) {
   std::string text;
   for (const Artifact artifact : artifacts) text += (text.empty() ? "" : ", ") + std::string(word(artifact));
@@ -79,12 +97,13 @@ std::string prediction_text(const Prediction& prediction) {
       "{:.4g}).\n",
       prediction.observer.pixels_per_degree, pooling_exponent, prediction.observer.image_gain.value(),
       1 / prediction.observer.image_gain.value());
-  if (prediction.calibrated)
-    text += "The gain was fixed so that the receiver's PT is the paper's: that number is no prediction.\n";
+  text += gain_text(prediction);
   text += prediction.floor_known
               ? fmt::format("Floor: the difference of stimuli without a seam (none), at most {:.4g}.\n",
                             prediction.highest_floor)
               : "Floor: 0, because there are no stimuli without a seam (none) to measure it on.\n";
+  if (!prediction.floor_known && prediction.gain_source == GainSource::detection)
+    text += "Eyes of this gain see the grain of rendering as well: give --none a set without seams.\n";
   return text;
 }
 

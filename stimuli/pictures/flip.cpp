@@ -20,21 +20,36 @@ std::array<double, 256> linear_of_code() {
   return linear;
 }
 
-/// The three opponent channels Y, Cx, Cz, each a picture.
-std::array<Image, 3> opponent_channels(const ByteImage& srgb) {
-  static const std::array<double, 256> linear = linear_of_code();
+/// The three opponent channels Y, Cx, Cz, each a picture; `rgb_at` gives the linear colour of a pixel.
+template <typename RgbAt>
+std::array<Image, 3> opponent_channels(int width_px, int height_px, const RgbAt& rgb_at) {
   std::array<Image, 3> channels;
-  for (Image& channel : channels) channel = Image(srgb.width_px, srgb.height_px, 1);
-  const std::size_t step = static_cast<std::size_t>(srgb.channels);
+  for (Image& channel : channels) channel = Image(width_px, height_px, 1);
   for (std::size_t pixel = 0; pixel < channels[0].values.size(); ++pixel) {
-    const std::uint8_t* code = &srgb.values[pixel * step];
-    const bool grey = step == 1;
-    const Eigen::Array3d ycxcz =
-        ycxcz_from_linear({linear[code[0]], linear[code[grey ? 0 : 1]], linear[code[grey ? 0 : 2]]});
+    const Eigen::Array3d ycxcz = ycxcz_from_linear(rgb_at(pixel));
     for (std::size_t channel = 0; channel < 3; ++channel)
       channels[channel].values[pixel] = static_cast<float>(ycxcz[static_cast<Eigen::Index>(channel)]);
   }
   return channels;
+}
+
+std::array<Image, 3> opponent_channels(const ByteImage& srgb) {
+  static const std::array<double, 256> linear = linear_of_code();
+  const std::size_t step = static_cast<std::size_t>(srgb.channels);
+  const bool grey = step == 1;
+  return opponent_channels(srgb.width_px, srgb.height_px, [&](std::size_t pixel) -> Eigen::Array3d {
+    const std::uint8_t* code = &srgb.values[pixel * step];
+    return {linear[code[0]], linear[code[grey ? 0 : 1]], linear[code[grey ? 0 : 2]]};
+  });
+}
+
+std::array<Image, 3> opponent_channels(const Image& linear) {
+  const std::size_t step = static_cast<std::size_t>(linear.channels);
+  const bool grey = step == 1;
+  return opponent_channels(linear.width_px, linear.height_px, [&](std::size_t pixel) -> Eigen::Array3d {
+    const float* value = &linear.values[pixel * step];
+    return {double{value[0]}, double{value[grey ? 0 : 1]}, double{value[grey ? 0 : 2]}};
+  });
 }
 
 /// One channel as it is seen, after its contrast sensitivity.
@@ -90,13 +105,21 @@ double feature_difference(const Image& reference, const Image& test, std::size_t
   return std::pow(most / std::numbers::sqrt2, feature_power);
 }
 
+FlipPicture flip_picture_of(std::array<Image, 3> channels, double pixels_per_degree) {
+  return {.lab = seen_lab(channels, pixels_per_degree),
+          .features = features_of(std::move(channels[0]), pixels_per_degree)};
+}
+
 }  // namespace
 
 FlipPicture flip_picture(const ByteImage& srgb, double pixels_per_degree) {
   assert(pixels_per_degree > 0 && (srgb.channels == 1 || srgb.channels == 3));
-  std::array<Image, 3> channels = opponent_channels(srgb);
-  return {.lab = seen_lab(channels, pixels_per_degree),
-          .features = features_of(std::move(channels[0]), pixels_per_degree)};
+  return flip_picture_of(opponent_channels(srgb), pixels_per_degree);
+}
+
+FlipPicture flip_picture_of_linear(const Image& linear, double pixels_per_degree) {
+  assert(pixels_per_degree > 0 && (linear.channels == 1 || linear.channels == 3));
+  return flip_picture_of(opponent_channels(linear), pixels_per_degree);
 }
 
 Image flip_difference(const FlipPicture& reference, const FlipPicture& test) {

@@ -16,6 +16,10 @@ struct FlipPicture {
 /// `srgb` has 1 or 3 channels of sRGB codes; `pixels_per_degree` of visual angle, above 0.
 [[nodiscard]] FlipPicture flip_picture(const ByteImage& srgb, double pixels_per_degree);
 
+/// The same of a linear picture (1: display white) that is not rounded to codes. Thresholds of detection lie
+/// under one code.
+[[nodiscard]] FlipPicture flip_picture_of_linear(const Image& linear, double pixels_per_degree);
+
 /// FLIP at every pixel, one channel, 0 (no visible difference) to 1. Symmetric. The sizes must agree.
 [[nodiscard]] Image flip_difference(const FlipPicture& reference, const FlipPicture& test);
 [[nodiscard]] Image flip_difference(const ByteImage& reference, const ByteImage& test,
