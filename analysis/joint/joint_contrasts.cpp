@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "analysis/joint/joint_thresholds.h"
+#include "analysis/statistics/jackknife_degrees.h"
 
 namespace seamline::analysis {
 
@@ -58,20 +59,6 @@ Contrast slope_contrast(const JointModel& model, const std::vector<CurveLabel>& 
   return contrast;
 }
 
-/// Degrees of freedom of the jackknife's variance of a contrast: with excess kurtosis k of its n values
-/// without a person, those whose chi-square has the variance 2 / (n - 1) + k / n of that of a normal sample
-/// (Satterthwaite's way). Where one or two people carry a slope, n - 1 would promise too much.
-double jackknife_degrees(const JointJackknife& left_out, const Eigen::VectorXd& weights) {
-  constexpr double fewest = 2;
-  const auto n = static_cast<double>(left_out.theta.rows());
-  const Eigen::ArrayXd value = (left_out.theta * weights).array();
-  const Eigen::ArrayXd square = (value - value.mean()).square();
-  if (!(square.mean() > 0)) return n - 1;  // the curves have the same answers
-  const double excess = square.square().mean() / (square.mean() * square.mean()) - 3;
-  if (!(excess > 0)) return n - 1;
-  return std::max(fewest, 2 / (2 / (n - 1) + excess / n));
-}
-
 /// One question about all pairs of curves that belong together.
 void add_table(const std::string& question, const JointFit& fit, const JointJackknife& left_out,
                const std::vector<CurveLabel>& labels, const SamePair& together,
@@ -88,7 +75,7 @@ void add_table(const std::string& question, const JointFit& fit, const JointJack
   if (few_carry_it)
     for (const Contrast& one : family.contrasts)
       family.degrees_of_freedom =
-          std::min(family.degrees_of_freedom, jackknife_degrees(left_out, one.weights));
+          std::min(family.degrees_of_freedom, jackknife_degrees(left_out.theta * one.weights));
   constexpr std::size_t most_single_step = 1000;
   const Correction correction =
       family.contrasts.size() > most_single_step ? Correction::holm : Correction::single_step;

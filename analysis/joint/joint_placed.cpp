@@ -212,6 +212,18 @@ JointFit fit_placed(const JointData& data, const JointSharing& sharing) {
   return fit;
 }
 
+PeopleScores placed_scores(const JointModel& model, const JointData& data, const Eigen::VectorXd& theta) {
+  const PlacedProblem problem = placed_problem(data, model.sharing);
+  PeopleScores all{.information = Eigen::MatrixXd::Zero(theta.size(), theta.size()),
+                   .scores = Eigen::MatrixXd(data.answers.rows(), theta.size())};
+  for (Eigen::Index p = 0; p < all.scores.rows(); ++p) {
+    const Evaluation own = of_placed_person(problem, static_cast<std::size_t>(p), theta);
+    all.information -= own.hessian;
+    all.scores.row(p) = own.gradient.transpose();
+  }
+  return all;
+}
+
 JointJackknife leave_placed_people_out(const JointFit& fit, const JointData& data, int threads) {
   const PlacedProblem problem = placed_problem(data, fit.model.sharing);
   const auto people = static_cast<int>(data.people.size());

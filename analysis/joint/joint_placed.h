@@ -19,6 +19,15 @@ namespace seamline::analysis {
 /// Verdicts are those of `fit_joint`.
 [[nodiscard]] JointFit fit_placed(const JointData& data, const JointSharing& sharing = {});
 
+/// Of the likelihood at theta: minus its Hessian, and the gradient of each person's.
+struct PeopleScores {
+  Eigen::MatrixXd information;
+  Eigen::MatrixXd scores;  ///< people x parameters
+};
+/// `model` is `between_people`.
+[[nodiscard]] PeopleScores placed_scores(const JointModel& model, const JointData& data,
+                                         const Eigen::VectorXd& theta);
+
 /// As `leave_people_out`, of a fit by `fit_placed`: the maximum without each person of up to 20, one Newton
 /// step by the curvature of the others from there on.
 [[nodiscard]] JointJackknife leave_placed_people_out(const JointFit& fit, const JointData& data,

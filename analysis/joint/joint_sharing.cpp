@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "analysis/joint/joint_jets.h"
+#include "analysis/joint/joint_placed.h"
 #include "analysis/joint/joint_thresholds.h"
 #include "analysis/statistics/distributions.h"
 #include "support/text/numbers.h"
@@ -28,6 +29,7 @@ std::vector<Eigen::Index> poorer_of(const JointModel& rich, const JointModel& po
     for (Eigen::Index k = 0; k < rich.ratings; ++k) to(rich.first_cut(c) + k, poor.first_cut(c) + k);
     for (Eigen::Index r = 0; r < rich.ratings - 1; ++r) to(rich.first_guess(c) + r, poor.first_guess(c) + r);
   }
+  if (rich.between_people) to(rich.log_between(), poor.log_between());
   return map;
 }
 
@@ -65,6 +67,16 @@ void write_hotelling(const Eigen::MatrixXd& scores, SharingTest& test) {
   test.p = fisher_above(q, n - q, test.statistic);
 }
 
+/// The same of pooled answers and of levels that the answers placed.
+PeopleScores scores_of_people(const JointModel& model, const JointData& data, const Eigen::VectorXd& theta) {
+  if (model.between_people) return placed_scores(model, data, theta);
+  PeopleScores all{.information = -joint_likelihood(model, all_counts(data), theta).hessian,
+                   .scores = Eigen::MatrixXd(data.answers.rows(), model.parameters())};
+  for (Eigen::Index p = 0; p < all.scores.rows(); ++p)
+    all.scores.row(p) = joint_likelihood(model, person_counts(data, p), theta).gradient.transpose();
+  return all;
+}
+
 SharingTest test_block(const std::string& name, const JointFit& fit, const JointData& data,
                        const JointSharing& richer) {
   SharingTest test{.shared = name, .parameters = 0, .statistic = nan, .p = nan, .note = {}};
@@ -82,16 +94,13 @@ SharingTest test_block(const std::string& name, const JointFit& fit, const Joint
     test.note = fmt::format("needs more than {} people", test.parameters);
     return test;
   }
-  const Eigen::MatrixXd information = -joint_likelihood(rich, all_counts(data), theta).hessian;
+  const auto [information, people] = scores_of_people(rich, data, theta);
   const Eigen::MatrixXd within = embed.transpose() * information * embed;
   // Scores whose weights g satisfy g' A L = 0 do not move with the poorer model's own estimates.
   const Eigen::MatrixXd weights = differences_of_copies(map, fit.model.parameters());
   const Eigen::MatrixXd efficient =
       weights - embed * within.ldlt().solve(embed.transpose() * information * weights);
-  Eigen::MatrixXd scores(fit.people, test.parameters);
-  for (Eigen::Index p = 0; p < scores.rows(); ++p)
-    scores.row(p) = joint_likelihood(rich, person_counts(data, p), theta).gradient.transpose() * efficient;
-  write_hotelling(scores, test);
+  write_hotelling(people * efficient, test);
   return test;
 }
 
@@ -167,7 +176,7 @@ std::ptrdiff_t numbers_of(const JointFit& fit) {
 
 std::vector<SharingTest> test_sharing(const JointFit& fit, const JointData& data) {
   std::vector<SharingTest> tests;
-  if (fit.model.ratings > 2) tests.push_back(test_parallel_ratings(fit, data));
+  if (fit.model.ratings > 2 && !fit.model.between_people) tests.push_back(test_parallel_ratings(fit, data));
   if (fit.model.curves < 2) return tests;
   const auto add = [&](const char* name, bool JointSharing::*block) {
     if (!(fit.model.sharing.*block)) return;
@@ -191,8 +200,8 @@ std::string sentence_of_sharing() {
       refused_sharing_p);
 }
 
-SharedFit fit_shared(const JointData& data, const JointSharing& sharing, bool decided) {
-  SharedFit found{.fit = fit_joint(data, sharing), .tests = {}, .refused = {}};
+SharedFit fit_shared(const JointData& data, const JointSharing& sharing, bool decided, JointFitter fitter) {
+  SharedFit found{.fit = fitter(data, sharing), .tests = {}, .refused = {}};
   if (!found.fit.estimated()) return found;
   found.tests = test_sharing(found.fit, data);
   std::vector<SharingTest> tests = found.tests;
@@ -201,7 +210,7 @@ SharedFit fit_shared(const JointData& data, const JointSharing& sharing, bool de
     if (worst == nullptr) break;
     JointSharing richer = found.fit.model.sharing;
     richer.*worst->block = false;
-    JointFit fit = fit_joint(data, richer);
+    JointFit fit = fitter(data, richer);
     if (!fit.estimated() || numbers_of(fit) < numbers_of(found.fit)) break;
     found.refused.push_back(*worst);
     found.fit = std::move(fit);

@@ -17,11 +17,11 @@ struct SharingTest {
   bool JointSharing::*block = nullptr;  ///< null: the spread of every rating
 };
 
-/// First whether every rating's curve is as steep as the others' (proportional odds; three ratings or more),
-/// then what curves share. Robust score tests (Boos 1992, The American Statistician 46) of every block
-/// that is shared: the efficient
-/// scores of each person e_i at the shared estimate have mean 0 if sharing is right, tested by Hotelling's
-/// T^2 over people. A likelihood ratio would take answers of one person for independent.
+/// First whether every rating's curve is as steep as the others' (proportional odds; three ratings or more;
+/// not where the answers placed the levels), then what curves share. Robust score tests (Boos 1992, The
+/// American Statistician 46) of every block that is shared: the efficient scores of each person e_i at the
+/// shared estimate have mean 0 if sharing is right, tested by Hotelling's T^2 over people. A likelihood ratio
+/// would take answers of one person for independent.
 [[nodiscard]] std::vector<SharingTest> test_sharing(const JointFit& fit, const JointData& data);
 
 /// Below this p a block is refused where sharing is decided by the answers: four blocks are tested.
@@ -40,6 +40,9 @@ struct SharedFit {
 /// The joint model with as much in common as the answers bear: the block with the smallest p becomes each
 /// curve's own, as long as that p is below `refused_sharing_p` and the richer model has numbers, for as many
 /// curves as before. `decided` false: shares what was asked for, whatever the tests say.
-[[nodiscard]] SharedFit fit_shared(const JointData& data, const JointSharing& sharing, bool decided);
+/// `fitter` is `fit_joint`, or `fit_placed` where the answers placed the levels.
+using JointFitter = JointFit (*)(const JointData&, const JointSharing&);
+[[nodiscard]] SharedFit fit_shared(const JointData& data, const JointSharing& sharing, bool decided,
+                                   JointFitter fitter = fit_joint);
 
 }  // namespace seamline::analysis

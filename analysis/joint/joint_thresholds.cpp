@@ -18,6 +18,10 @@ struct RoughPlace {
   std::string reason;
 };
 
+/// The form of the curve is assumed, and no number of people tells how wrong it is: the logarithm of the
+/// scale at a level counts as known with this standard error (documentation/explanation/joint_model.md).
+constexpr double form_error = 0.05;
+
 double standard_error_of(const Eigen::VectorXd& gradient, const JointJackknife& left_out) {
   return std::sqrt(std::max(0.0, gradient.dot(left_out.covariance * gradient)));
 }
@@ -173,7 +177,8 @@ double level_pivot(const JointFit& fit, const JointJackknife& left_out, int curv
   const double above = at.value - floor.value, wanted = sought.level - floor.value;
   if (!(above > 0) || !(wanted > 0)) return 0;
   const Eigen::VectorXd gradient = (at.gradient - floor.gradient) / above + floor.gradient / wanted;
-  return std::log(above / wanted) / standard_error_of(gradient, left_out);
+  const double of_form = form_error * gradient[fit.model.log_scale(curve)];
+  return std::log(above / wanted) / std::hypot(standard_error_of(gradient, left_out), of_form);
 }
 
 JointThreshold joint_threshold(const JointFit& fit, const JointData& data, const JointJackknife& left_out,

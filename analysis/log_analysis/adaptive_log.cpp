@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include "analysis/joint/joint_placed.h"
 #include "analysis/scores/level_words.h"
@@ -56,14 +57,17 @@ JointData placed_data(const Analysis& analysis) {
 
 }  // namespace
 
-JointAnalysis analyze_placed(const Analysis& analysis, const JointSharing& sharing) {
+JointAnalysis analyze_placed(const Analysis& analysis, const JointRequest& request) {
   JointAnalysis joint;
   joint.axis = analysis.data.axis;
   for (const ArtifactScores& scores : analysis.data.artifacts)
     joint.labels.push_back(
         {.artifact = std::string(word(scores.artifact)), .condition = scores.condition, .group = {}});
   joint.data = placed_data(analysis);
-  joint.fit = fit_placed(joint.data, sharing);
+  SharedFit shared = fit_shared(joint.data, request.sharing, request.sharing_tested, fit_placed);
+  joint.fit = std::move(shared.fit);
+  joint.sharing = std::move(shared.tests);
+  joint.refused_sharing = std::move(shared.refused);
   if (joint.fit.estimated())
     joint.left_out = leave_placed_people_out(joint.fit, joint.data, analysis.resampling.threads);
   joint.thresholds = joint_thresholds(joint.fit, joint.data, joint.left_out);

@@ -13,8 +13,9 @@ namespace seamline::analysis {
 void set_aside_adaptive(Analysis& analysis);
 
 /// The thresholds of the group: the joint model with each person's own thresholds (joint_placed.h), fitted to
-/// every answer of the people used. Curves and labels as `data`; no contrasts, checks or people of its own.
-[[nodiscard]] JointAnalysis analyze_placed(const Analysis& analysis, const JointSharing& sharing);
+/// every answer of the people used. Curves and labels as `data`; no contrasts, checks of the fit or people of
+/// its own.
+[[nodiscard]] JointAnalysis analyze_placed(const Analysis& analysis, const JointRequest& request);
 
 /// What the reader of such an analysis is told.
 inline constexpr const char* adaptive_note =

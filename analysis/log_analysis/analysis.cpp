@@ -17,6 +17,14 @@
 
 namespace seamline::analysis {
 
+AnalysisDefinition asked_of_log(const study::LogContents& log) {
+  try {
+    return log.study_text.empty() ? AnalysisDefinition{} : read_analysis_text(log.study_text, log.file);
+  } catch (const InputError&) {
+    return {};  // `study_of_log` says so
+  }
+}
+
 namespace {
 
 /// Under this many people intervals over participants were seen to fail (documentation/evidence/coverage.md).
@@ -127,14 +135,6 @@ void leave_out_screened(Analysis& analysis) {
 int model_replicates(const ResamplingRequest& request) {
   constexpr int fewest = 19, most = 299;
   return std::clamp(request.replicates / 10, fewest, most);
-}
-
-AnalysisDefinition asked_of_log(const study::LogContents& log) {
-  try {
-    return log.study_text.empty() ? AnalysisDefinition{} : read_analysis_text(log.study_text, log.file);
-  } catch (const InputError&) {
-    return {};  // `study_of_log` says so
-  }
 }
 
 /// `[analysis]` of the study that the log keeps, what is usual where that cannot be read, and the options.
@@ -287,7 +287,9 @@ Analysis analyze(study::LogContents log, bool include_pilot, const ResamplingReq
   for (std::string& note : notes_on_task(analysis.log)) analysis.notes.push_back(std::move(note));
   for (const std::string& sentence : sentences_of(asked)) analysis.notes.push_back(sentence);
   if (analysis.adaptive) {
-    if (asked.joint) analysis.joint = analyze_placed(analysis, sharing_of(asked));
+    if (asked.joint)
+      analysis.joint =
+          analyze_placed(analysis, {.sharing = sharing_of(asked), .sharing_tested = asked.sharing_tested});
     analysis.notes.emplace_back(adaptive_note);
     for (std::string& note : notes_on_headline(analysis)) analysis.notes.push_back(std::move(note));
     add_notes_on_screening(analysis);

@@ -20,6 +20,7 @@
 #include "analysis/thresholds/object_influence.h"
 #include "analysis/thresholds/planted_noticeability.h"
 #include "analysis/thresholds/thresholds.h"
+#include "stimuli/definition/methods/analysis_definition.h"
 #include "stimuli/definition/study_definition.h"
 #include "study/log/log.h"
 #include "study/log/shown_on.h"
@@ -97,5 +98,8 @@ void compare_with_archive(Analysis& analysis, const Archive& archive);
 /// The study that a log belongs to, from the text the log keeps; none (with a note) when it cannot be read.
 [[nodiscard]] std::optional<StudyDefinition> study_of_log(const study::LogContents& log,
                                                           std::vector<std::string>& notes);
+
+/// `[analysis]` of the study that a log keeps; what is usual where that cannot be read.
+[[nodiscard]] AnalysisDefinition asked_of_log(const study::LogContents& log);
 
 }  // namespace seamline::analysis

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "analysis/log_analysis/participant_facts.h"
+#include "analysis/statistics/jackknife_degrees.h"
 #include "support/text/error.h"
 
 namespace seamline::analysis {
@@ -132,25 +133,6 @@ std::vector<std::string> keep_large(Grouping& grouping, const std::vector<int>& 
   return kept;
 }
 
-/// Welch and Satterthwaite: the variance of a contrast is a sum over groups of people.
-double degrees_of_freedom(const Eigen::VectorXd& weights, const JointJackknife& left_out,
-                          const std::vector<int>& group_of_row, int groups) {
-  const Eigen::VectorXd values = left_out.theta * weights;
-  const Eigen::VectorXd centred = values.array() - values.mean();
-  std::vector<double> variance(static_cast<std::size_t>(groups)), count(variance.size());
-  for (Eigen::Index row = 0; row < values.size(); ++row) {
-    const auto group = static_cast<std::size_t>(group_of_row[static_cast<std::size_t>(row)]);
-    variance[group] += centred[row] * centred[row];
-    count[group] += 1;
-  }
-  double sum = 0, squares = 0;
-  for (std::size_t g = 0; g < variance.size(); ++g) {
-    sum += variance[g];
-    squares += variance[g] * variance[g] / (count[g] - 1);
-  }
-  return squares > 0 ? sum * sum / squares : 1;
-}
-
 void add_group_shifts(const Analysis& analysis, const Grouping& grouping,
                       const std::vector<std::string>& names, GroupComparison& comparison) {
   const JointAnalysis& joint = *analysis.joint;
@@ -187,7 +169,7 @@ void add_group_shifts(const Analysis& analysis, const Grouping& grouping,
       contrast.weights[fit.model.threshold(a * curves + curve)] =
           -unit / static_cast<double>(of_curves.size());
     }
-    df = std::min(df, degrees_of_freedom(contrast.weights, left_out, group_of_row, groups));
+    df = std::min(df, jackknife_degrees(left_out.theta * contrast.weights, group_of_row));
     family.contrasts.push_back(std::move(contrast));
   };
   const auto known = [&](int group, int curve) {

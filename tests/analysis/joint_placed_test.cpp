@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "analysis/joint/joint_sharing.h"
 #include "analysis/joint/joint_thresholds.h"
 #include "tests/analysis/true_people.h"
 
@@ -100,6 +101,33 @@ TEST(JointPlaced, GradientsOfMeansOverPeopleAreTheirDifferences) {
     }
   }
   EXPECT_FALSE(place_of(fit.model, fit.theta, 0, JointQuantity::inflection));
+}
+
+/// The same people's answers on both curves.
+JointData side_by_side(const JointData& one, const JointData& other) {
+  JointData both = one;
+  both.curves = {"receiver", "shadow"};
+  for (JointCell cell : other.cells) {
+    cell.curve = 1;
+    both.cells.push_back(cell);
+  }
+  both.answers.resize(one.answers.rows(), one.answers.cols() + other.answers.cols());
+  both.answers << one.answers, other.answers;
+  return both;
+}
+
+TEST(JointPlaced, AnswersDecideWhatCurvesShare) {
+  const JointData steep = staircase_answers({.scale_octaves = 0.2}, 20, 40, 11),
+                  also_steep = staircase_answers({.scale_octaves = 0.2}, 20, 40, 12),
+                  flat = staircase_answers({.scale_octaves = 1.2}, 20, 40, 13);
+  const SharedFit alike = fit_shared(side_by_side(steep, also_steep), {}, true, fit_placed);
+  ASSERT_EQ(alike.tests.size(), 4U) << "a cell without an expected count says nothing of parallel ratings";
+  for (const SharingTest& test : alike.tests) EXPECT_GT(test.p, 0.001) << test.shared;
+  const SharedFit unlike = fit_shared(side_by_side(steep, flat), {}, true, fit_placed);
+  ASSERT_FALSE(unlike.refused.empty());
+  EXPECT_EQ(unlike.refused[0].shared, "scale");
+  EXPECT_FALSE(unlike.fit.model.sharing.scale);
+  EXPECT_GT(unlike.fit.log_likelihood, fit_placed(side_by_side(steep, flat)).log_likelihood);
 }
 
 TEST(JointPlaced, TheSameBitsForAnyNumberOfThreads) {

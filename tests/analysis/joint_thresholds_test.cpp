@@ -87,6 +87,20 @@ TEST(JointThresholds, IntervalsEndWhereThePivotIsCritical) {
   EXPECT_GE(closed, 15);
 }
 
+TEST(JointThresholds, NoNumberOfPeopleTellsTheFormOfTheCurve) {
+  Fitted all = fitted({.people_sd = 0.5}, 5);
+  all.left_out.covariance.setZero();
+  const auto length = [&](JointQuantity quantity) {
+    const LevelInterval ci95 = joint_threshold(all.fit, all.data, all.left_out, 1, quantity).here.ci95;
+    return ci95.high_x - ci95.low_x;
+  };
+  const double scale = std::exp(all.fit.theta[all.fit.model.log_scale(1)]);
+  EXPECT_LT(length(JointQuantity::detection), 0.02) << "the form says little of the curve's middle";
+  EXPECT_GT(length(JointQuantity::perceptual), length(JointQuantity::perceptual_corrected));
+  EXPECT_GT(length(JointQuantity::perceptual), 0.03 * scale);
+  EXPECT_LT(length(JointQuantity::perceptual), 0.5 * scale);
+}
+
 TEST(JointThresholds, ALevelInTheFloorOfGuessesHasNoNumber) {
   test::JointAnswers people;
   people.shape.g = {0.3, 0.4, 0.2, 0.1};  // floor 0.7

@@ -6,6 +6,9 @@
 #include <cassert>
 #include <cmath>
 #include <cstdint>
+#include <deque>
+#include <mutex>
+#include <vector>
 
 #include "analysis/statistics/distributions.h"
 
@@ -16,15 +19,32 @@ namespace {
 constexpr int lattice_points = 16384;
 constexpr int shares = 256;  ///< of the sphere, that one tail is computed for
 
-/// Fractional parts of the roots of primes: a lattice that fills the cube evenly (Richtmyer).
-std::vector<double> lattice_generators(Eigen::Index count) {
-  std::vector<double> generators;
-  for (int candidate = 2; static_cast<Eigen::Index>(generators.size()) < count; ++candidate) {
+/// The prime numbers in order.
+int next_prime(int after) {
+  for (int candidate = after + 1;; ++candidate) {
     bool prime = true;
     for (int divisor = 2; divisor * divisor <= candidate; ++divisor) prime &= candidate % divisor != 0;
-    if (prime) generators.push_back(std::sqrt(candidate) - std::floor(std::sqrt(candidate)));
+    if (prime) return candidate;
   }
-  return generators;
+}
+
+/// Normal quantiles of a lattice that fills the cube evenly (Richtmyer): multiples of the fractional part of
+/// the root of a prime number, one an axis. They are the same for all correlations, and computed once.
+const Eigen::VectorXd& lattice_axis(Eigen::Index axis) {
+  static std::mutex one_at_a_time;
+  static std::deque<Eigen::VectorXd> axes;  // whose elements stay where they are
+  static int prime = 1;
+  const std::scoped_lock lock(one_at_a_time);
+  while (static_cast<Eigen::Index>(axes.size()) <= axis) {
+    prime = next_prime(prime);
+    const double generator = std::sqrt(prime) - std::floor(std::sqrt(prime));
+    Eigen::VectorXd& along = axes.emplace_back(lattice_points);
+    for (int point = 0; point < lattice_points; ++point) {
+      const double turn = (point + 0.5) * generator + 0.5, place = turn - std::floor(turn);
+      along[point] = normal_quantile(std::clamp(place, 1e-12, 1 - 1e-12));
+    }
+  }
+  return axes[static_cast<std::size_t>(axis)];
 }
 
 /// L with L L' = correlation, without the directions in which nothing varies.
@@ -46,15 +66,12 @@ MaxAbsT::MaxAbsT(const Eigen::MatrixXd& correlation, double degrees_of_freedom)
   assert(correlation.rows() > 0 && correlation.rows() == correlation.cols());
   const Eigen::MatrixXd root = root_of(correlation);
   dimension_ = root.cols();
-  const std::vector<double> generators = lattice_generators(dimension_);
+  std::vector<const Eigen::VectorXd*> axes;
+  for (Eigen::Index d = 0; d < dimension_; ++d) axes.push_back(&lattice_axis(d));
   std::vector<double> all(lattice_points);
   Eigen::VectorXd direction(dimension_);
   for (int point = 0; point < lattice_points; ++point) {
-    for (Eigen::Index d = 0; d < dimension_; ++d) {
-      const double turn = (point + 0.5) * generators[static_cast<std::size_t>(d)] + 0.5;
-      const double place = turn - std::floor(turn);
-      direction[d] = normal_quantile(std::clamp(place, 1e-12, 1 - 1e-12));
-    }
+    for (Eigen::Index d = 0; d < dimension_; ++d) direction[d] = (*axes[static_cast<std::size_t>(d)])[point];
     const double length = direction.norm();
     all[static_cast<std::size_t>(point)] = length > 0 ? (root * direction).cwiseAbs().maxCoeff() / length : 0;
   }

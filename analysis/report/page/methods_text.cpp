@@ -128,16 +128,13 @@ std::string joint_text(const Analysis& analysis, const LevelWords& words) {
       "{}. The model was fitted by "
       "maximum likelihood with a weak penalty. Read off it are: {}. ",
       words.axis, shared.empty() ? "nothing" : shared, own, sought);
-  if (!joint.refused_sharing.empty())
-    text += fmt::format(
-        "The block that a robust score test of what curves share (Boos, 1992) refuses most, with p below {}, "
-        "became each curve's own, until none was refused. ",
-        refused_sharing_p);
+  text += sharing_method(analysis);
   if (!joint.fit.estimated()) return text + joint.fit.explanation;
   text += fmt::format(
       "Intervals of {:g} % are over participants: they hold the {} at which the logarithm of mean noticeability above "
       "the guess floor is not told from that of the level sought, with the variance of leaving out each participant in "
-      "turn (Student's t with {} degrees of freedom); for IP they are the estimate and as many standard errors. Beside "
+      "turn (Student's t with {} degrees of freedom) and a scale known to 5 % only, because the form of the curve is "
+      "assumed; for IP they are the estimate and as many standard errors. Beside "
       "each stands one that holds together with those of the same threshold of all curves. There is an estimate where "
       "its interval is closed, and none where the level lies in the guess floor.",
       100 * confidence, words.levels, joint.fit.people - 1);
@@ -319,6 +316,8 @@ struct Reference {
 };
 constexpr Reference works[] = {
     {"Agresti, 2010", "Agresti, A. (2010). Analysis of Ordinal Categorical Data, 2nd ed. Wiley."},
+    {"Boos, 1992",
+     "Boos, D. D. (1992). On generalized score tests. The American Statistician, 46(4), 327–333."},
     {"Barlow et al., 1972",
      "Barlow, R. E., Bartholomew, D. J., Bremner, J. M., & Brunk, H. D. (1972). Statistical Inference under "
      "Order Restrictions. Wiley."},

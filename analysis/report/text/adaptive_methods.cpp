@@ -5,6 +5,7 @@
 #include <optional>
 #include <variant>
 
+#include "analysis/report/text/joint_text.h"
 #include "analysis/scores/level_words.h"
 #include "stimuli/definition/procedure_definition.h"
 #include "support/running/overloaded.h"
@@ -109,11 +110,13 @@ std::string group_text(const Analysis& analysis) {
       "noticeability over participants is 0.5 and 1, and the detection threshold where half is seen, over "
       "participants.";
   if (!joint.fit.estimated()) return text + " " + joint.fit.explanation;
-  return text + fmt::format(
-                    " Intervals of 95 % are over the {} participants: each was left out in turn (Student's t "
-                    "with {} degrees of freedom). Because levels depend on the answers, no mean at a level "
-                    "and no inflection point was computed.",
-                    joint.fit.people, joint.fit.people - 1);
+  return text + " " + sharing_method(analysis) +
+         fmt::format(
+             "Intervals of 95 % are over the {} participants: each was left out in turn (Student's t "
+             "with {} degrees of freedom), and the scale counts as known to 5 % only, because the form of the "
+             "curve is assumed. Because levels depend on the answers, no mean at a level "
+             "and no inflection point was computed.",
+             joint.fit.people, joint.fit.people - 1);
 }
 
 }  // namespace

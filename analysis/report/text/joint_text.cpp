@@ -54,6 +54,20 @@ std::string as_sentence(std::string text) {
   return text;
 }
 
+std::string sharing_method(const Analysis& analysis) {
+  const JointAnalysis& joint = *analysis.joint;
+  if (joint.data.curves.size() < 2) return "";
+  if (!asked_of_log(analysis.log).sharing_tested) return "What curves share was fixed by the study file. ";
+  const std::size_t refused = joint.refused_sharing.size();
+  return fmt::format(
+      "What curves share was decided by the answers: the block that a robust score test over participants (Boos, "
+      "1992) refuses most, with p below {}, becomes each curve's own, until none is refused. {} refused. ",
+      refused_sharing_p,
+      refused == 0   ? "None was"
+      : refused == 1 ? "One was"
+                     : fmt::format("{} were", refused));
+}
+
 std::vector<std::string> joint_check_sentences(const Analysis& analysis) {
   std::vector<std::string> sentences;
   if (!analysis.joint || !analysis.joint->fit.estimated()) return sentences;
@@ -70,7 +84,7 @@ std::vector<std::string> joint_check_sentences(const Analysis& analysis) {
   if (joint.fit.model.between_people) {
     sentences.push_back(fmt::format(
         "Participants' thresholds on a curve differ with a standard deviation of {:.2f} {}, estimated with the "
-        "curves. Fit and sharing are not tested: levels were placed by the answers.",
+        "curves. The fit is not tested: levels were placed by the answers, so no cell has an expected count.",
         std::abs(difference_at(joint.axis, joint.people.shift_sd)), length_unit(joint.axis)));
     return sentences;
   }

@@ -10,6 +10,9 @@ namespace seamline::analysis {
 /// and how people differ; a sentence each. Empty without numbers.
 [[nodiscard]] std::vector<std::string> joint_check_sentences(const Analysis& analysis);
 
+/// How it was decided what curves share, for methods; empty of one curve.
+[[nodiscard]] std::string sharing_method(const Analysis& analysis);
+
 /// With its first letter large.
 [[nodiscard]] std::string as_sentence(std::string text);
 
