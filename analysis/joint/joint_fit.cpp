@@ -21,8 +21,13 @@ constexpr std::size_t levels_of_a_scale = 3, levels_of_a_threshold = 2;
 constexpr double much_smaller = 8, loses_little = 0.5;
 constexpr int most_step_iterations = 40;
 
+/// Under so many people a test over people seldom rejects, whatever they saw: one of their answers is asked,
+/// too.
+constexpr std::size_t fewest_for_test = 5;
+
 struct CurveTally {
   double right = 0, wrong = 0;
+  double beyond = 0, variance = 0;  ///< right answers beyond chance, and their binomial variance by chance
   std::vector<double> excess;  ///< each person's right answers beyond chance, as a share of their answers
 };
 
@@ -39,6 +44,8 @@ CurveTally tally_curve(const JointData& data, int curve) {
       tally.wrong += all - right;
       answers += all;
       beyond += right - all * data.cells[c].chance;
+      tally.beyond += right - all * data.cells[c].chance;
+      tally.variance += all * data.cells[c].chance * (1 - data.cells[c].chance);
     }
     if (answers > 0) tally.excess.push_back(beyond / answers);
   }
@@ -56,13 +63,24 @@ bool above_chance(const std::vector<double>& excess) {
   return mean > 0 && (error <= 0 || student_above(n - 1, mean / error) < above_chance_at);
 }
 
+/// One-sided binomial test (normal approximation) of the same. Where nobody sees anything people differ by
+/// chance alone, so it holds for any number of them. Chance that rests on reference trials has their
+/// variance.
+bool answers_above_chance(const JointData& data, const CurveTally& tally) {
+  const double answers = tally.right + tally.wrong, references = data.references.sum();
+  const double variance = tally.variance * (references > 0 ? 1 + answers / references : 1);
+  return variance > 0 && normal_above(tally.beyond / std::sqrt(variance)) < above_chance_at;
+}
+
 CurveVerdict verdict_of_curve(const JointData& data, int curve, bool own_scale) {
   const CurveTally tally = tally_curve(data, curve);
   if (tally.right + tally.wrong <= 0) return CurveVerdict::no_answers;
   if (levels_of_curve(data, curve).size() < (own_scale ? levels_of_a_scale : levels_of_a_threshold))
     return CurveVerdict::too_few_levels;
   if (tally.wrong <= 0) return CurveVerdict::never_wrong;
-  return above_chance(tally.excess) ? CurveVerdict::estimated : CurveVerdict::at_chance;
+  const bool few = tally.excess.size() < fewest_for_test;
+  const bool above = above_chance(tally.excess) || (few && answers_above_chance(data, tally));
+  return above ? CurveVerdict::estimated : CurveVerdict::at_chance;
 }
 
 /// What is maximised, without the penalty of one coordinate.

@@ -1,5 +1,6 @@
 #include "analysis/log_analysis/adaptive_log.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -7,6 +8,7 @@
 
 #include "analysis/joint/joint_placed.h"
 #include "analysis/scores/level_words.h"
+#include "stimuli/definition/parts/task_definition.h"
 #include "support/text/numbers.h"
 
 namespace seamline::analysis {
@@ -21,6 +23,8 @@ void give_reason(CurveThresholds& estimates, const std::string& reason) {
 /// Answers as they were given: shares of objects that are evened out would be no likelihood.
 JointData placed_data(const Analysis& analysis) {
   JointData data;
+  const TaskFacts task = facts_of(analysis.log.task.get());
+  data.ratings = task.rates ? most_joint_ratings : 1;
   const LevelAxis& axis = analysis.data.axis;
   std::map<std::string, Eigen::Index> row_of;
   for (const ParticipantUse& person : analysis.people) {
@@ -33,7 +37,8 @@ JointData placed_data(const Analysis& analysis) {
     for (const double level : scores.level) {
       cell_of[{scores.artifact, scores.condition, level}] = static_cast<Eigen::Index>(data.cells.size());
       data.cells.push_back({.curve = static_cast<int>(data.curves.size()),
-                            .x = stands_apart(axis, level) ? infinity : x_of(axis, level)});
+                            .x = stands_apart(axis, level) ? infinity : x_of(axis, level),
+                            .chance = analysis.scores.guess_rate});
     }
     data.curves.push_back(std::string(word(scores.artifact)) + in_condition(scores.condition));
   }
@@ -45,13 +50,12 @@ JointData placed_data(const Analysis& analysis) {
     const auto row = row_of.find(answer.participant);
     const auto cell = cell_of.find({answer.artifact, answer.condition, answer.level});
     if (row == row_of.end() || cell == cell_of.end()) continue;
-    const bool right = answer.chosen_index == answer.object_index;
-    data.answers(row->second,
-                 cell->second * data.cell_counts() + (right ? 0 : data.ratings) + answer.rating - 1) += 1;
+    data.answers(row->second, cell->second * data.cell_counts() + (answer.correct() ? 0 : data.ratings) +
+                                  std::min(answer.rating, data.ratings) - 1) += 1;
   }
   for (const ReferenceAnswer& reference : analysis.options.references)
     if (const auto row = row_of.find(reference.participant); row != row_of.end())
-      data.references(row->second, reference.rating - 1) += 1;
+      data.references(row->second, std::min(reference.rating, data.ratings) - 1) += 1;
   return data;
 }
 

@@ -6,9 +6,9 @@
 
 #include "analysis/log_analysis/adaptive_log.h"
 #include "analysis/log_analysis/headline_rows.h"
+#include "analysis/log_analysis/task_words.h"
 #include "analysis/screening/catch_answers.h"
 #include "analysis/thresholds/planted_noticeability.h"
-#include "stimuli/definition/parts/task_definition.h"
 #include "stimuli/set/set_study.h"
 #include "stimuli/study_file/study_file.h"
 #include "study/observers/observer.h"
@@ -61,13 +61,19 @@ std::vector<std::string> notes_on_people(const Analysis& analysis) {
     notes.emplace_back(
         "With one participant there are no standard errors and no intervals over participants, so no "
         "threshold is determined.");
-  if (counts.used >= 2 && counts.used < fewest_for_intervals)
+  const bool rated = asks_ratings(analysis.log);
+  if (counts.used >= 2 && counts.used < fewest_for_intervals && !rated)
+    notes.push_back(fmt::format(
+        "With {} participants little is known of how people differ: intervals over participants are wide, and "
+        "each participant's own thresholds (thresholds_people.csv) say more.",
+        counts.used));
+  if (counts.used >= 2 && counts.used < fewest_for_intervals && rated)
     notes.push_back(fmt::format(
         "With {} participants the 95 % intervals hold the truth less often than they say: in simulated "
         "studies of two to four people those of IP in 59 to 93 %, those of PT and SN in 82 to 98 %.",
         counts.used));
   for (const ArtifactScores& scores : analysis.data.artifacts)
-    if (!analysis.adaptive && levels_on_axis(scores).size() == 4)
+    if (rated && !analysis.adaptive && levels_on_axis(scores).size() == 4)
       notes.push_back(fmt::format(
           "'{}'{} was tested at four {}s only: the logistic has as many parameters, so its inflection "
           "point rests on no spare data.",
@@ -79,6 +85,7 @@ std::vector<std::string> notes_on_people(const Analysis& analysis) {
 /// Where an estimate is the middle of a range that is as likely all along.
 std::vector<std::string> notes_on_steps(const Analysis& analysis) {
   std::vector<std::string> notes;
+  if (!asks_ratings(analysis.log)) return notes;
   for (std::size_t i = 0; i < analysis.thresholds.size(); ++i) {
     const ArtifactThresholds& found = analysis.thresholds[i];
     const LevelAxis& axis = analysis.data.axis;
@@ -204,28 +211,6 @@ std::string hash_beside(const Archive& archive, const study::LogContents& log) {
   return log.study_hash;
 }
 
-/// Three alternatives and a rating.
-bool is_papers_task(const study::LogContents& log) {
-  return facts_of(log.task.get()).kind == TaskKind::object && facts_of(log.task.get()).rates;
-}
-
-/// What the way of the paper can say of another task.
-std::vector<std::string> notes_on_task(const study::LogContents& log) {
-  if (is_papers_task(log)) return {};
-  const TaskFacts task = facts_of(log.task.get());
-  std::vector<std::string> notes;
-  std::string chance = "is right as often as there are false alarms in reference trials";
-  if (!task.right_is_yes) chance = fmt::format("guesses, and is right in 1 of {}", task.alternatives);
-  notes.push_back(fmt::format("The task is {} ({}), {}. Who sees no seam {}.", word(task.kind),
-                              task.chooses ? fmt::format("{} answers", task.alternatives) : "five labels",
-                              task.rates ? "with a rating" : "without a rating", chance));
-  if (!task.rates)
-    notes.emplace_back(
-        "Ratings were not asked, so noticeability is the share of right answers and PT, SN and IP mean nothing; "
-        "read the level that is seen half of the time (detection) of the joint model.");
-  return notes;
-}
-
 }  // namespace
 
 void compare_with_archive(Analysis& analysis, const Archive& archive) {
@@ -300,6 +285,7 @@ Analysis analyze(study::LogContents log, bool include_pilot, const ResamplingReq
                      [&](const ScreenedThresholds& result) { return result.left_out == left_out; })
             ->thresholds;
     add_checks(analysis);
+    if (!asks_ratings(analysis.log)) set_aside_unrated(analysis);
   }
   const bool simulated = study && common_observer(analysis.people) == word(study::ObserverKind::threshold);
   const bool rising = simulated && study->observer.direction != analysis.log.noticeability;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/log_analysis/people_choices.h"
 #include "analysis/psychometric/intervals/fit_warnings.h"
 #include "analysis/psychometric/likelihood/overdispersion.h"
 #include "analysis/psychometric/likelihood/search.h"
@@ -122,10 +123,7 @@ ChoiceCurve choice_curve(const Analysis& analysis, const std::vector<std::string
     curve.missing = fmt::format("No psychometric function of '{}'{} is fitted: it was tested at one {} only.",
                                 artifact, of_condition, level_word(axis));
   if (!curve.missing.empty()) return curve;
-  FitOptions options;
-  options.guess = fixed_rate(analysis.scores.guess_rate);
-  options.axis = facts(axis.quantity).axis;
-  options.direction = axis.noticeability;
+  const FitOptions options = options_of_choices(analysis);
   const std::string unit(facts(axis.quantity).unit);
   curve.pooled = fit_pooled_choices(choices, options, unit);
   const PsychometricFit& fit = curve.pooled->fit;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/log_analysis/task_words.h"
+
 namespace seamline::analysis {
 
 namespace {
@@ -46,11 +48,14 @@ std::string why_different(const HeadlineRow& row, const ArtifactScores& scores) 
 }
 
 std::vector<HeadlineRow> rows_of_curve(const Analysis& analysis, int curve,
-                                       const std::vector<ThresholdRow>& paper_way) {
+                                       const std::vector<ThresholdRow>& paper_way,
+                                       const PlantedDetection& known) {
   const ArtifactScores& scores = analysis.data.artifacts[static_cast<std::size_t>(curve)];
+  const bool rated = asks_ratings(analysis.log);
   std::vector<HeadlineRow> rows;
   for (std::size_t q = 0; q < threshold_rules.size(); ++q) {
     const ThresholdRule& rule = threshold_rules[q];
+    if (!rated && rule.name != word(JointQuantity::detection)) continue;
     const auto quantity = std::find_if(every_joint_quantity.begin(), every_joint_quantity.end(),
                                        [&](JointQuantity one) { return word(one) == rule.name; });
     if (quantity == every_joint_quantity.end()) continue;
@@ -72,6 +77,8 @@ std::vector<HeadlineRow> rows_of_curve(const Analysis& analysis, int curve,
       if (beside->planted_x)
         row.planted = ThresholdEstimate{.level_x = beside->planted_x, .reason = {}, .ci95 = {}};
     }
+    if (const auto planted = known.find({row.artifact, row.condition}); planted != known.end())
+      row.planted = ThresholdEstimate{.level_x = planted->second, .reason = {}, .ci95 = {}};
     row.differs = why_different(row, scores);
     rows.push_back(std::move(row));
   }
@@ -88,8 +95,9 @@ std::vector<HeadlineRow> headline_rows(const Analysis& analysis) {
   std::vector<HeadlineRow> rows;
   if (!analysis.joint) return rows;
   const std::vector<ThresholdRow> paper_way = threshold_rows(analysis);
+  const PlantedDetection planted = planted_detection(analysis);
   for (int curve = 0; curve < static_cast<int>(analysis.data.artifacts.size()); ++curve) {
-    std::vector<HeadlineRow> of_curve = rows_of_curve(analysis, curve, paper_way);
+    std::vector<HeadlineRow> of_curve = rows_of_curve(analysis, curve, paper_way, planted);
     const bool floor = std::any_of(of_curve.begin(), of_curve.end(),
                                    [](const HeadlineRow& row) { return in_guess_floor(row.here); });
     if (floor)

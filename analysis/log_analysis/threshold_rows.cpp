@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/log_analysis/task_words.h"
 #include "analysis/thresholds/paper_values.h"
 
 namespace seamline::analysis {
@@ -81,6 +82,7 @@ void add_rows(const Analysis& analysis, std::size_t index, std::vector<Threshold
 
 std::vector<ThresholdRow> threshold_rows(const Analysis& analysis) {
   std::vector<ThresholdRow> rows;
+  if (!asks_ratings(analysis.log)) return rows;
   for (std::size_t i = 0; i < analysis.thresholds.size(); ++i) add_rows(analysis, i, rows);
   return rows;
 }
@@ -98,7 +100,8 @@ TestedLevels tested_levels(const ArtifactScores& scores) {
 }
 
 bool beside_the_paper(const Analysis& analysis) {
-  return of_depth_widths(analysis.data.axis) && !has_conditions(analysis.data);
+  return of_depth_widths(analysis.data.axis) && !has_conditions(analysis.data) &&
+         is_papers_task(analysis.log);
 }
 
 std::optional<double> level_of(const ThresholdEstimate& estimate, const LevelAxis& axis) {

@@ -166,10 +166,26 @@ std::string panel_frame(const Panel& panel, const LevelsDrawn& drawn, const std:
                          : "unset ylabel\n");
 }
 
-std::string threshold_lines() {
-  return fmt::format(
-      "plot 0.5 with lines lc rgb '{0}' lw 1 dt '.' notitle, 1.0 with lines lc rgb '{0}' lw 1 dt '.' notitle",
-      plot_ink);
+MeansDrawn means_drawn(const Analysis& analysis) {
+  MeansDrawn drawn;
+  drawn.words = task_words(analysis);
+  const TaskWords& words = drawn.words;
+  if (words.rated) {
+    drawn.axis = "set ytics 0, 1, 4\nset mytics 2\nset yrange [0:4.15]\n";
+    drawn.axis_below_key =
+        "set ytics 0, 1, 4\nset mytics 2\nset yrange [0:5.5]\nset key maxrows 3 top right\n";
+    drawn.lines = fmt::format(
+        "plot 0.5 with lines lc rgb '{0}' lw 1 dt '.' notitle, 1.0 with lines lc rgb '{0}' lw 1 dt '.' "
+        "notitle",
+        plot_ink);
+    drawn.dotted = "Dotted: 0.5 (PT) and 1.0 (SN).";
+    return drawn;
+  }
+  drawn.axis = "set ytics 0, 0.2, 1\nset yrange [0:1.04]\n";
+  drawn.axis_below_key = "set ytics 0, 0.2, 1\nset yrange [0:1.4]\nset key maxrows 3 top right\n";
+  drawn.lines = fmt::format("plot {:.6g} with lines lc rgb '{}' lw 1 dt '.' notitle", words.chance, plot_ink);
+  drawn.dotted = "Dotted: " + words.chance_text + ".";
+  return drawn;
 }
 
 std::string multiplot(const Analysis& analysis) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/log_analysis/task_words.h"
 #include "analysis/report/figures/figures.h"
 #include "support/files/gnuplot.h"
 
@@ -74,15 +75,18 @@ struct PanelGrid {
 [[nodiscard]] std::string panel_frame(const Panel& panel, const LevelsDrawn& drawn, const std::string& title,
                                       const std::string& y);
 
-/// The vertical axis of mean noticeability.
-inline constexpr const char* noticeability_axis = "set ytics 0, 1, 4\nset mytics 2\nset yrange [0:4.15]\n";
-/// The same with room for a key of three rows above the data.
-inline constexpr const char* noticeability_axis_below_key =
-    "set ytics 0, 1, 4\nset mytics 2\nset yrange [0:5.5]\nset key maxrows 3 top right\n";
-inline constexpr int keyed_panel_px = 190;  ///< height of such a panel
+inline constexpr int keyed_panel_px = 190;  ///< height of a panel with a key of three rows above the data
 
-/// Dotted lines at 0.5 and 1.0, the levels of PT and SN, to begin a `plot` with.
-[[nodiscard]] std::string threshold_lines();
+/// How means of answers are drawn.
+struct MeansDrawn {
+  TaskWords words;
+  std::string axis,
+      axis_below_key;  ///< gnuplot's lines for the vertical axis; the latter with room for a key
+  std::string lines;   ///< begins a `plot`: dotted lines at PT and SN, or at chance
+  std::string dotted;  ///< what these are, a sentence
+};
+/// Noticeability from 0 to 4; of a task without ratings shares from 0 to 1.
+[[nodiscard]] MeansDrawn means_drawn(const Analysis& analysis);
 
 /// The title above a whole figure: who answered.
 [[nodiscard]] std::string multiplot(const Analysis& analysis);

@@ -61,7 +61,7 @@ std::string object_plots(const Analysis& analysis, const LevelsDrawn& drawn, con
     blocks += data_block(name, drawn, objects[i]->cells, shift(i, objects.size()));
     plots += plot_line(name, i, fmt::format("{} {}", objects[i]->object_index, objects[i]->object));
   }
-  return blocks + threshold_lines() + plots + "\n";
+  return blocks + means_drawn(analysis).lines + plots + "\n";
 }
 
 /// One artifact of a study with conditions: a line each.
@@ -73,25 +73,32 @@ std::string condition_plots(const Analysis& analysis, const LevelsDrawn& drawn, 
     blocks += data_block(name, drawn, scores.cells, shift(line, panel.curves.size()));
     plots += plot_line(name, line, scores.condition);
   }
-  return blocks + threshold_lines() + plots + "\n";
+  return blocks + means_drawn(analysis).lines + plots + "\n";
 }
 
-/// Panels of mean noticeability, two a row; `plots` is what each draws.
+/// Panels of means, two a row; `plots` is what each draws.
 template <class Plots>
 Figure draw_panels(const Analysis& analysis, Figure figure, const std::vector<PanelCurves>& panels,
                    const Plots& plots) {
   const LevelsDrawn drawn = levels_drawn(analysis.data);
   const PanelGrid grid = panel_grid(panels.size(), keyed_panel_px);
-  std::string script = level_axis_script(drawn) + noticeability_axis_below_key + multiplot(analysis);
+  const MeansDrawn means = means_drawn(analysis);
+  std::string script = level_axis_script(drawn) + means.axis_below_key + multiplot(analysis);
   for (std::size_t i = 0; i < panels.size(); ++i)
-    script +=
-        panel_frame(grid.panels[i], drawn, panels[i].title, "mean noticeability") + plots(drawn, panels[i]);
+    script += panel_frame(grid.panels[i], drawn, panels[i].title, means.words.mean) + plots(drawn, panels[i]);
   draw_figure(figure.svg, grid.height_px, script + "unset multiplot\n", Readers::owner);
   return figure;
 }
 
+std::string dotted_in_full(const MeansDrawn& means) {
+  return means.words.rated ? "Dotted: 0.5, the level of the perceptual threshold (PT), and 1.0, slightly "
+                             "noticeable (SN)."
+                           : means.dotted;
+}
+
 Figure object_figure(const Analysis& analysis, const std::filesystem::path& folder) {
   const LevelWords words = level_words(analysis.data.axis);
+  const MeansDrawn means = means_drawn(analysis);
   std::vector<PanelCurves> panels;
   for (std::size_t i = 0; i < analysis.data.artifacts.size(); ++i) {
     const ArtifactScores& scores = analysis.data.artifacts[i];
@@ -100,14 +107,14 @@ Figure object_figure(const Analysis& analysis, const std::filesystem::path& fold
   return draw_panels(
       analysis,
       {.name = "fig6_objects",
-       .title = "Noticeability by artifact and object",
+       .title = means.words.title + " by artifact and object",
        .caption =
            fmt::format(
-               "Mean noticeability against {}, one panel an artifact and one line an object (1 left, 2 "
+               "{} against {}, one panel an artifact and one line an object (1 left, 2 "
                "middle, 3 right); bars: one standard error of the mean over participants. Points of one "
                "{} are moved apart a little.",
-               words.quantity, words.level) +
-           " Dotted: 0.5 (PT) and 1.0 (SN). After Fig. 6 of the paper. Data: " + source_sentence(analysis),
+               means.words.Mean, words.quantity, words.level) +
+           " " + means.dotted + " After Fig. 6 of the paper. Data: " + source_sentence(analysis),
        .svg = folder / "fig6_objects.svg"},
       panels, [&](const LevelsDrawn& drawn, const PanelCurves& panel) {
         return object_plots(analysis, drawn, analysis.data.artifacts[panel.curves.front()]);
@@ -116,52 +123,59 @@ Figure object_figure(const Analysis& analysis, const std::filesystem::path& fold
 
 Figure conditions_figure(const Analysis& analysis, const std::filesystem::path& folder) {
   const LevelWords words = level_words(analysis.data.axis);
+  const MeansDrawn means = means_drawn(analysis);
   return draw_panels(
       analysis,
       {.name = "fig7_averages",
-       .title = "Noticeability by artifact and condition",
+       .title = means.words.title + " by artifact and condition",
        .caption =
            fmt::format(
-               "Mean noticeability over objects against {}, one panel an artifact and one line a "
+               "{} over objects against {}, one panel an artifact and one line a "
                "condition; bars: one standard error of the mean over participants. Points of one {} are "
                "moved apart a little.",
-               words.quantity, words.level) +
-           " Dotted: 0.5, the level of the perceptual threshold (PT), and 1.0, slightly noticeable (SN). "
-           "Data: " +
-           source_sentence(analysis),
+               means.words.Mean, words.quantity, words.level) +
+           " " + dotted_in_full(means) + " Data: " + source_sentence(analysis),
        .svg = folder / "fig7_averages.svg"},
       panels_of_curves(analysis.data), [&](const LevelsDrawn& drawn, const PanelCurves& panel) {
         return condition_plots(analysis, drawn, panel);
       });
 }
 
+/// Names of the dotted lines, at their left ends.
+std::string line_labels(const MeansDrawn& means, const LevelAxis& axis) {
+  if (!means.words.rated)
+    return fmt::format("set label 1 '{}' at {} offset 0,-0.55 textcolor rgb '{}' front\n",
+                       means.words.chance_word,
+                       beside_line(axis, 0.004, fmt::format("{:.6g}", means.words.chance)), ink);
+  return fmt::format(
+      "set label 1 'PT  0.5' at {1} offset 0,0.45 textcolor rgb '{0}' front\n"
+      "set label 2 'SN  1.0' at {2} offset 0,0.45 textcolor rgb '{0}' front\n",
+      ink, beside_line(axis, 0.004, "0.5"), beside_line(axis, 0.004, "1.0"));
+}
+
 Figure average_figure(const Analysis& analysis, const std::filesystem::path& folder) {
+  const MeansDrawn means = means_drawn(analysis);
   Figure figure{
       .name = "fig7_averages",
-      .title = "Noticeability by artifact",
-      .caption =
-          fmt::format("Mean noticeability over objects against {}; bars: one standard error of the mean over "
-                      "participants.",
-                      level_words(analysis.data.axis).quantity) +
-          " Dotted: 0.5, the level of the perceptual threshold (PT), and 1.0, slightly "
-          "noticeable (SN). After Fig. 7 of the paper. Data: " +
-          source_sentence(analysis),
+      .title = means.words.title + " by artifact",
+      .caption = fmt::format("{} over objects against {}; bars: one standard error of the mean over "
+                             "participants.",
+                             means.words.Mean, level_words(analysis.data.axis).quantity) +
+                 " " + dotted_in_full(means) +
+                 " After Fig. 7 of the paper. Data: " + source_sentence(analysis),
       .svg = folder / "fig7_averages.svg"};
   const LevelsDrawn drawn = levels_drawn(analysis.data);
   const PanelGrid grid = panel_grid(1, 240);
-  std::string script = level_axis_script(drawn) + noticeability_axis, plots;
+  std::string script = level_axis_script(drawn) + means.axis, plots;
   for (std::size_t i = 0; i < analysis.data.artifacts.size(); ++i) {
     const ArtifactScores& scores = analysis.data.artifacts[i];
     const std::string name(word(scores.artifact));
     script += data_block(name, drawn, scores.cells, shift(i, analysis.data.artifacts.size()));
     plots += plot_line(name, i, artifact_title(scores.artifact));
   }
-  script += panel_frame(grid.panels.front(), drawn, source_text(analysis), "mean noticeability") +
-            fmt::format(
-                "set key top {1}\nset label 1 'PT  0.5' at {2} offset 0,0.45 textcolor rgb '{0}' front\n"
-                "set label 2 'SN  1.0' at {3} offset 0,0.45 textcolor rgb '{0}' front\n{4}{5}\n",
-                ink, key_side(drawn.axis), beside_line(drawn.axis, 0.004, "0.5"),
-                beside_line(drawn.axis, 0.004, "1.0"), threshold_lines(), plots);
+  script += panel_frame(grid.panels.front(), drawn, source_text(analysis), means.words.mean) +
+            fmt::format("set key top {}\n{}{}{}\n", key_side(drawn.axis), line_labels(means, drawn.axis),
+                        means.lines, plots);
   draw_figure(figure.svg, grid.height_px, script, Readers::owner);
   return figure;
 }

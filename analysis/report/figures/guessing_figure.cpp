@@ -36,7 +36,7 @@ std::string corrected_plots(const Analysis& analysis, const LevelsDrawn& drawn, 
         i, style.colour, style.point - 1, conditions ? "notitle" : "title 'as answered'", style.point,
         conditions ? gnuplot_text(curve.condition) : "corrected");
   }
-  return blocks + threshold_lines() +
+  return blocks + means_drawn(analysis).lines +
          fmt::format(", \\\n     {:.6g} with lines lc rgb '{}' lw 1 dt (12,6) title 'guessed'{}\n",
                      analysis.guessing.floor, plot_ink, plots);
 }
@@ -46,20 +46,20 @@ std::string corrected_plots(const Analysis& analysis, const LevelsDrawn& drawn, 
 std::optional<Figure> guessing_figure(const Analysis& analysis, const std::filesystem::path& folder) {
   const GuessCorrection& guessing = analysis.guessing;
   if (guessing.curves.empty() || !guessing.guessers.known()) return std::nullopt;
+  const MeansDrawn means = means_drawn(analysis);
   Figure figure{.name = "corrected_for_guessing",
-                .title = "Noticeability corrected for guessing",
-                .caption =
-                    "Mean noticeability as answered (dashed, hollow) and corrected for guessing "
-                    "(solid). Dashed line: what people who see nothing score on average. Dotted: 0.5 "
-                    "(PT) and 1.0 (SN). Data: " +
-                    source_sentence(analysis),
+                .title = means.words.title + " corrected for guessing",
+                .caption = means.words.Mean +
+                           " as answered (dashed, hollow) and corrected for guessing "
+                           "(solid). Dashed line: what people who see nothing score on average. " +
+                           means.dotted + " Data: " + source_sentence(analysis),
                 .svg = folder / "corrected_for_guessing.svg"};
   const std::vector<PanelCurves> panels = panels_of_curves(analysis.data);
   const PanelGrid grid = panel_grid(panels.size(), keyed_panel_px);
   const LevelsDrawn drawn = levels_drawn(analysis.data);
-  std::string script = level_axis_script(drawn) + noticeability_axis_below_key + multiplot(analysis);
+  std::string script = level_axis_script(drawn) + means.axis_below_key + multiplot(analysis);
   for (std::size_t i = 0; i < panels.size(); ++i)
-    script += panel_frame(grid.panels[i], drawn, panels[i].title, "mean noticeability") +
+    script += panel_frame(grid.panels[i], drawn, panels[i].title, means.words.mean) +
               corrected_plots(analysis, drawn, panels[i], i);
   draw_figure(figure.svg, grid.height_px, script + "unset multiplot\n", Readers::owner);
   return figure;

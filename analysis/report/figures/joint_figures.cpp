@@ -54,7 +54,7 @@ std::string points_block(const ArtifactScores& scores, const LevelsDrawn& drawn,
 std::string curve_plots(const Analysis& analysis, const LevelsDrawn& drawn, std::size_t index) {
   const JointAnalysis& joint = *analysis.joint;
   const PlotStyle style = plot_style(index);
-  std::string plots = threshold_lines();
+  std::string plots = means_drawn(analysis).lines;
   if (has_curve(joint, index))
     plots += fmt::format(
         ", \\\n     $model{0} using 1:3:4 with filledcurves fs transparent solid 0.22 noborder lc rgb '{1}' "
@@ -104,32 +104,34 @@ std::string score_plots(const JointAnalysis& joint, const LevelsDrawn& drawn, st
 
 std::optional<Figure> joint_curves_figure(const Analysis& analysis, const std::filesystem::path& folder) {
   if (!has_numbers(analysis)) return std::nullopt;
+  const MeansDrawn means = means_drawn(analysis);
   Figure figure{
       .name = "joint_curves",
-      .title = "Noticeability by the joint model",
+      .title = means.words.title + " by the joint model",
       .caption = fmt::format(
-          "Mean noticeability over {} against {}{} the joint model (line, with a pointwise 95 % band over "
-          "participants). Dashed: of what is seen, without lucky guesses. Dotted: 0.5 (PT) and 1.0 (SN). "
+          "{} over {} against {}{} the joint model (line, with a pointwise 95 % band over "
+          "participants). Dashed: of what is seen, without lucky guesses. {} "
           "Data: {}",
-          analysis.adaptive ? "people" : "objects", level_words(analysis.data.axis).quantity,
+          means.words.Mean, analysis.adaptive ? "people" : "objects",
+          level_words(analysis.data.axis).quantity,
           analysis.adaptive ? " by" : ": answers (points; bars: one standard error over participants) and",
-          source_sentence(analysis)),
+          means.dotted, source_sentence(analysis)),
       .svg = folder / "joint_curves.svg"};
-  draw_curve_panels(analysis, figure.svg,
-                    {keyed_panel_px, noticeability_axis_below_key, "mean noticeability"},
+  draw_curve_panels(analysis, figure.svg, {keyed_panel_px, means.axis_below_key, means.words.mean},
                     [&](const LevelsDrawn& drawn, std::size_t i) { return curve_plots(analysis, drawn, i); });
   return figure;
 }
 
 std::optional<Figure> joint_scores_figure(const Analysis& analysis, const std::filesystem::path& folder) {
-  if (!has_numbers(analysis) || !analysis.joint->goodness) return std::nullopt;
+  // Without ratings the shares of right answers are all there is, and the figure above has them.
+  if (!has_numbers(analysis) || !analysis.joint->goodness || !task_words(analysis).rated) return std::nullopt;
   Figure figure{
       .name = "joint_scores",
       .title = "Scores observed and expected",
       .caption = fmt::format(
           "Share of each score against {}: observed (points) and expected by the joint model (lines). "
-          "0: the wrong object was chosen; 1 to 4: right with this rating. Data: {}.",
-          level_words(analysis.data.axis).quantity, source_text(analysis)),
+          "0: {}; 1 to 4: right with this rating. Data: {}.",
+          level_words(analysis.data.axis).quantity, task_words(analysis).wrong, source_text(analysis)),
       .svg = folder / "joint_scores.svg"};
   draw_curve_panels(
       analysis, figure.svg,

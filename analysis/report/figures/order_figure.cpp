@@ -12,14 +12,16 @@ std::optional<Figure> order_figure(const Analysis& analysis, const ReportNumbers
                                    const std::filesystem::path& folder) {
   const std::vector<SessionPart>& parts = numbers.order.tenths;
   if (parts.empty()) return std::nullopt;
-  Figure figure{.name = "order",
-                .title = "Noticeability during the session",
-                .caption =
-                    "Mean noticeability in each tenth of a participant's answers, what was shown and who "
-                    "was asked being equal; bars: 95 % intervals over participants. Dashed: the mean of "
-                    "all. Data: " +
-                    source_text(analysis) + ".",
-                .svg = folder / "order.svg"};
+  const TaskWords words = task_words(analysis);
+  Figure figure{
+      .name = "order",
+      .title = words.title + " during the session",
+      .caption = words.Mean +
+                 " in each tenth of a participant's answers, what was shown and who "
+                 "was asked being equal; bars: 95 % intervals over participants. Dashed: the mean of "
+                 "all. Data: " +
+                 source_text(analysis) + ".",
+      .svg = folder / "order.svg"};
   std::string block = "$parts << EOD\n";
   double low = parts.front().mean, high = low, mean = 0, answers = 0;
   for (const SessionPart& part : parts) {
@@ -31,7 +33,7 @@ std::optional<Figure> order_figure(const Analysis& analysis, const ReportNumbers
     answers += part.answers;
   }
   block += "EOD\n";
-  const double room = std::max(0.2, 0.15 * (high - low));
+  const double room = std::max(words.rated ? 0.2 : 0.05, 0.15 * (high - low));
   const PanelGrid grid = panel_grid(1, 150);
   const PlotStyle style = plot_style(0);
   const std::string script =
@@ -41,12 +43,12 @@ std::optional<Figure> order_figure(const Analysis& analysis, const ReportNumbers
           "auto\n"
           "set title \"{}\" font ',13' textcolor rgb '{}' offset 0,-0.6\n"
           "set xlabel \"share of the session (%)\" textcolor rgb '{}' offset 0,0.4\n"
-          "set ylabel \"mean noticeability\" textcolor rgb '{}' offset 0.2,0\n"
+          "set ylabel \"{}\" textcolor rgb '{}' offset 0.2,0\n"
           "plot {:.6g} with lines lc rgb '{}' lw 1 dt (8,5) notitle, \\\n"
           "     $parts using 1:3:(0):($4-$3) with vectors nohead lc rgb '{}' lw 1.2 notitle, \\\n"
           "     $parts using 1:2 with linespoints lc rgb '{}' lw 1.4 pt {} ps 0.5 notitle\n",
-          low - room, high + room, gnuplot_text(source_text(analysis)), plot_ink, plot_ink, plot_ink,
-          mean / answers, plot_ink, style.colour, style.colour, style.point);
+          low - room, high + room, gnuplot_text(source_text(analysis)), plot_ink, plot_ink, words.mean,
+          plot_ink, mean / answers, plot_ink, style.colour, style.colour, style.point);
   draw_figure(figure.svg, grid.height_px, script, Readers::owner);
   return figure;
 }

@@ -40,9 +40,10 @@ std::string people_block(const ArtifactScores& scores, const LevelsDrawn& drawn,
   return block + "EOD\n";
 }
 
-std::string people_plots(const ArtifactScores& scores, const LevelsDrawn& drawn, std::size_t index) {
+std::string people_plots(const Analysis& analysis, const LevelsDrawn& drawn, std::size_t index) {
+  const ArtifactScores& scores = analysis.data.artifacts[index];
   const PlotStyle style = plot_style(index);
-  return people_block(scores, drawn, index) + threshold_lines() +
+  return people_block(scores, drawn, index) + means_drawn(analysis).lines +
          fmt::format(
              ", \\\n     $people{0} using 1:2 with lines lc rgb '#808080' lw 0.5 notitle"
              ", \\\n     $mean{0} using 1:2 with linespoints lc rgb '{1}' lw 2.2 pt {2} ps 0.5 notitle\n",
@@ -50,16 +51,17 @@ std::string people_plots(const ArtifactScores& scores, const LevelsDrawn& drawn,
 }
 
 std::string caption_of(const Analysis& analysis) {
+  const MeansDrawn means = means_drawn(analysis);
   std::size_t most = 0;
   for (const ArtifactScores& scores : analysis.data.artifacts) most = std::max(most, scores.people.size());
   return fmt::format(
-      "Mean noticeability over objects against {}: a thin line a participant{}, a thick line the mean over "
+      "{} over objects against {}: a thin line a participant{}, a thick line the mean over "
       "all "
-      "participants. Dotted: 0.5 (PT) and 1.0 (SN). Data: {}",
-      level_words(analysis.data.axis).quantity,
+      "participants. {} Data: {}",
+      means.words.Mean, level_words(analysis.data.axis).quantity,
       most > most_people_drawn ? fmt::format(" (at most {} of {}, evenly chosen)", most_people_drawn, most)
                                : std::string(),
-      source_sentence(analysis));
+      means.dotted, source_sentence(analysis));
 }
 
 }  // namespace
@@ -67,13 +69,12 @@ std::string caption_of(const Analysis& analysis) {
 std::optional<Figure> people_figure(const Analysis& analysis, const std::filesystem::path& folder) {
   if (analysis.adaptive || analysis.counts.used < 2) return std::nullopt;
   Figure figure{.name = "participants",
-                .title = "Noticeability of every participant",
+                .title = task_words(analysis).title + " of every participant",
                 .caption = caption_of(analysis),
                 .svg = folder / "participants.svg"};
-  draw_curve_panels(analysis, figure.svg, {165, noticeability_axis, "mean noticeability"},
-                    [&](const LevelsDrawn& drawn, std::size_t i) {
-                      return people_plots(analysis.data.artifacts[i], drawn, i);
-                    });
+  draw_curve_panels(
+      analysis, figure.svg, {165, means_drawn(analysis).axis, task_words(analysis).mean},
+      [&](const LevelsDrawn& drawn, std::size_t i) { return people_plots(analysis, drawn, i); });
   return figure;
 }
 

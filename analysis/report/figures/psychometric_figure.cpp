@@ -50,6 +50,15 @@ std::string threshold_mark(const ChoiceCurve& curve, const LevelsDrawn& drawn, c
       number, low, height, high, height, colour);
 }
 
+/// Where the line of chance stands; of three alternatives as it always was written.
+std::string chance_value(const TaskWords& words) {
+  return words.of_three ? "1.0/3" : fmt::format("{:.6g}", words.chance);
+}
+
+std::string chance_height(const TaskWords& words) {
+  return fmt::format("{:.4f}", words.chance);
+}
+
 double largest_residual(const std::vector<ChoiceCurve>& curves) {
   double largest = 2.6;
   for (const ChoiceCurve& curve : curves)
@@ -59,7 +68,7 @@ double largest_residual(const std::vector<ChoiceCurve>& curves) {
 }
 
 std::string panel_script(const ChoiceCurve& curve, const Panel& panel, std::size_t index, double residual,
-                         const LevelsDrawn& drawn) {
+                         const LevelsDrawn& drawn, const TaskWords& words) {
   const std::string levels = fmt::format("levels{}", index), band = fmt::format("band{}", index);
   const char* colour = plot_style(index).colour;
   std::int64_t most_trials = 1;
@@ -71,17 +80,18 @@ std::string panel_script(const ChoiceCurve& curve, const Panel& panel, std::size
   above.bottom = split + gap;
   below.top = split - gap;
   return block_of_levels(levels, curve, drawn, most_trials) + block_of_band(band, curve) +
-         panel_frame(above, drawn, artifact_title(curve.artifact), "right choices") +
+         panel_frame(above, drawn, artifact_title(curve.artifact), words.right_choices) +
          "unset xlabel\nunset arrow\nset yrange [0:1.04]\nset ytics 0, 0.2, 1\n" + level_tics(drawn, 0) +
          threshold_mark(curve, drawn, colour) +
          fmt::format(
-             "set label 1 'chance' at {4} offset 0,-0.55 textcolor rgb '{0}'\n"
-             "plot 1.0/3 with lines lc rgb '{0}' lw 1 dt '.' notitle, \\\n"
+             "set label 1 '{6}' at {4} offset 0,-0.55 textcolor rgb '{0}'\n"
+             "plot {5} with lines lc rgb '{0}' lw 1 dt '.' notitle, \\\n"
              "     ${1} using 1:3:4 with filledcurves fs transparent solid 0.22 noborder lc rgb '{2}' "
              "notitle, \\\n"
              "     ${1} using 1:2 with lines lc rgb '{2}' lw 1.4 notitle, \\\n"
              "     ${3} using 1:2:3 with points pt 7 ps variable lc rgb '{2}' notitle\n",
-             plot_ink, band, colour, levels, beside_line(drawn.axis, 0.012, "0.3333")) +
+             plot_ink, band, colour, levels, beside_line(drawn.axis, 0.012, chance_height(words)),
+             chance_value(words), words.chance_word) +
          panel_frame(below, drawn, "", "residual") +
          fmt::format(
              "unset title\nunset label 1\nunset arrow\nset yrange [-{1:.3f}:{1:.3f}]\nset ytics -{2}, {2}, "
@@ -97,7 +107,7 @@ std::string panel_script(const ChoiceCurve& curve, const Panel& panel, std::size
 
 /// One artifact of a study with conditions: a curve each, and no residuals.
 std::string condition_panel(const ReportNumbers& numbers, const PanelCurves& of, const Panel& panel,
-                            const LevelsDrawn& drawn) {
+                            const LevelsDrawn& drawn, const TaskWords& words) {
   std::string blocks, marks = "unset arrow\n", plots;
   std::int64_t most_trials = 1;
   for (const ChoiceCurve& curve : numbers.choices)
@@ -117,23 +127,26 @@ std::string condition_panel(const ReportNumbers& numbers, const PanelCurves& of,
         "     ${3} using 1:2:3 with points pt 7 ps variable lc rgb '{1}' notitle",
         band, colour, gnuplot_text(curve.condition), levels);
   }
-  return blocks + panel_frame(panel, drawn, of.title, "right choices") +
+  return blocks + panel_frame(panel, drawn, of.title, words.right_choices) +
          fmt::format(
              "set yrange [0:1.04]\nset ytics 0, 0.2, 1\nset key top {1}\n{2}"
-             "set label 1 'chance' at {3} offset 0,-0.55 textcolor rgb '{0}'\n"
-             "plot 1.0/3 with lines lc rgb '{0}' lw 1 dt '.' notitle{4}\n",
-             plot_ink, key_side(drawn.axis), marks, beside_line(drawn.axis, 0.012, "0.3333"), plots);
+             "set label 1 '{6}' at {3} offset 0,-0.55 textcolor rgb '{0}'\n"
+             "plot {5} with lines lc rgb '{0}' lw 1 dt '.' notitle{4}\n",
+             plot_ink, key_side(drawn.axis), marks, beside_line(drawn.axis, 0.012, chance_height(words)),
+             plots, chance_value(words), words.chance_word);
 }
 
 std::string caption_of(const Analysis& analysis, bool conditions) {
   const LevelWords words = level_words(analysis.data.axis);
+  const TaskWords task = task_words(analysis);
   return fmt::format(
-             "Share of right choices against {0}: points (area by number of answers), fitted psychometric "
+             "{2} against {0}: points (area by number of answers), fitted psychometric "
              "function with a 95 % band (bootstrap over participants, {1} by {1}), and the threshold's 95 % "
              "interval as a bar. ",
-             words.quantity, words.level) +
-         (conditions ? "One line a condition. Dotted: chance, 1/3. Data: "
-                     : "Below each, deviance residuals; dotted: ±1.96, and chance, 1/3, above. Data: ") +
+             words.quantity, words.level, task.of_right_choices) +
+         (conditions ? "One line a condition. Dotted: " + task.chance_text + ". Data: "
+                     : "Below each, deviance residuals; dotted: ±1.96, and " + task.chance_text +
+                           ", above. Data: ") +
          source_text(analysis) + ".";
 }
 
@@ -145,8 +158,9 @@ std::optional<Figure> psychometric_figure(const Analysis& analysis, const Report
       std::count_if(numbers.choices.begin(), numbers.choices.end(),
                     [](const ChoiceCurve& curve) { return curve.pooled.has_value(); }));
   if (fitted == 0) return std::nullopt;
+  const TaskWords words = task_words(analysis);
   Figure figure{.name = "psychometric",
-                .title = "Right choices by artifact",
+                .title = words.choices_title + " by artifact",
                 .caption = caption_of(analysis, numbers.conditions),
                 .svg = folder / "psychometric.svg"};
   const std::vector<PanelCurves> artifacts = panels_of_curves(analysis.data);
@@ -157,10 +171,10 @@ std::optional<Figure> psychometric_figure(const Analysis& analysis, const Report
   std::size_t place = 0;
   if (numbers.conditions)
     for (const PanelCurves& artifact : artifacts)
-      script += condition_panel(numbers, artifact, grid.panels[place++], drawn);
+      script += condition_panel(numbers, artifact, grid.panels[place++], drawn, words);
   for (std::size_t i = 0; i < numbers.choices.size(); ++i)
     if (numbers.choices[i].pooled && !numbers.conditions)
-      script += panel_script(numbers.choices[i], grid.panels[place++], i, residual, drawn);
+      script += panel_script(numbers.choices[i], grid.panels[place++], i, residual, drawn, words);
   draw_figure(figure.svg, grid.height_px, script + "unset multiplot\n", Readers::owner);
   return figure;
 }

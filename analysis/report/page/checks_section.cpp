@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "analysis/log_analysis/task_words.h"
 #include "analysis/report/page/html_parts.h"
 #include "analysis/report/text/checks_text.h"
 #include "analysis/report/text/threshold_text.h"
@@ -50,6 +51,9 @@ std::string checks_html(const Analysis& analysis, const std::vector<Figure>& fig
     html +=
         "<p>Thresholds are not estimated otherwise, nor corrected for guessing: there are no curves of "
         "mean noticeability.</p>\n";
+  else if (!asks_ratings(analysis.log))
+    html += html_paragraph("Ratings were not asked, so there is nothing to estimate PT, SN and IP by.") +
+            html_paragraph(guessers_text(analysis.guessing)) + figure_html(figures, "corrected_for_guessing");
   else if (!of_depth_widths(analysis.data.axis))
     html += html_paragraph("The thresholds otherwise estimated: " + axis_title(analysis.data.axis) +
                            ", 95 % interval in brackets.") +

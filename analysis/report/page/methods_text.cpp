@@ -7,6 +7,7 @@
 #include <map>
 
 #include "analysis/log_analysis/participant_facts.h"
+#include "analysis/log_analysis/task_words.h"
 #include "analysis/report/figures/figure_parts.h"
 #include "analysis/report/page/thresholds_section.h"
 #include "analysis/report/text/adaptive_methods.h"
@@ -71,6 +72,11 @@ std::string procedure(const Analysis& analysis) {
   int trials = 0;
   for (const ParticipantUse& person : analysis.people)
     if (person.use == Use::used) trials = std::max(trials, person.answers);
+  const TaskWords task = task_words(analysis);
+  if (!task.procedure.empty())
+    return fmt::format("{} There were up to {} such trials for each of {}, in an order of their own. {}{}",
+                       task.procedure, trials, source_text(analysis), widths_text(analysis),
+                       conditions_text(analysis));
   return fmt::format(
       "Each image showed three objects, one of which had been composited into the picture with the help of a "
       "depth map; {} judged up to {} images each, in an order of their own. They chose the object that they "
@@ -106,9 +112,11 @@ std::string curves_text(const Analysis& analysis) {
 /// The model of record, as far as it was fitted.
 std::string joint_text(const Analysis& analysis, const LevelWords& words) {
   const JointAnalysis& joint = *analysis.joint;
+  const bool rated = asks_ratings(analysis.log);
   std::string sought;
   for (const ThresholdRule& rule : threshold_rules)
-    sought += fmt::format("{}{} where {}", sought.empty() ? "" : "; ", rule.name, rule.meaning);
+    if (rated || rule.name == word(JointQuantity::detection))
+      sought += fmt::format("{}{} where {}", sought.empty() ? "" : "; ", rule.name, rule.meaning);
   const JointSharing& sharing = joint.fit.model.sharing;
   std::string shared, own = "thresholds";
   const auto sort_into = [&](bool is_shared, const char* what) {
@@ -124,10 +132,10 @@ std::string joint_text(const Analysis& analysis, const LevelWords& words) {
       "lapse) "
       "times a cumulative normal of {}; what is seen is chosen rightly and rated by a cumulative link with "
       "ordered criteria (Agresti, 2010); what is not seen is guessed, right with the chance of the guessers' "
-      "positions (about 1/3), and rated as wrong choices are. Shared by all curves: {}; each curve's own: "
+      "positions (about {}), and rated as wrong choices are. Shared by all curves: {}; each curve's own: "
       "{}. The model was fitted by "
       "maximum likelihood with a weak penalty. Read off it are: {}. ",
-      words.axis, shared.empty() ? "nothing" : shared, own, sought);
+      words.axis, task_words(analysis).chance_number, shared.empty() ? "nothing" : shared, own, sought);
   text += sharing_method(analysis);
   if (!joint.fit.estimated()) return text + joint.fit.explanation;
   text += fmt::format(
@@ -172,7 +180,7 @@ std::string why_so_many_text(const Analysis& analysis) {
                      analysis.frozen->why_so_many);
 }
 
-std::string means_text(const LevelWords& words) {
+std::string means_text(const Analysis& analysis, const LevelWords& words) {
   return fmt::format(
       "Beside them stands the paper's own way. Answers were averaged over the objects of an artifact within "
       "each "
@@ -183,11 +191,10 @@ std::string means_text(const LevelWords& words) {
       "{monotone} isotonic regression of mean noticeability, linear in {axis}, equals {pt:.1f} and {sn:.1f} "
       "(Barlow et al., 1972). The inflection point (IP) is the centre of a four-parameter logistic fitted by "
       "least squares in {axis}. A threshold is given where its interval is closed; where the answers leave a "
-      "side open, the bound is given. Because the choice is forced, a participant who sees nothing is right "
-      "one "
-      "time in three and then rates at least 1: the floor of mean noticeability is at least 1/3, not 0.",
-      fmt::arg("level", words.level), fmt::arg("sought", words.sought), fmt::arg("monotone", words.monotone),
-      fmt::arg("axis", words.axis), fmt::arg("pt", perceptual_level), fmt::arg("sn", slight_level));
+      "side open, the bound is given. {guess}",
+      fmt::arg("guess", task_words(analysis).guess), fmt::arg("level", words.level),
+      fmt::arg("sought", words.sought), fmt::arg("monotone", words.monotone), fmt::arg("axis", words.axis),
+      fmt::arg("pt", perceptual_level), fmt::arg("sn", slight_level));
 }
 
 /// What each way to make an interval does, of the thresholds that are made so.
@@ -261,13 +268,14 @@ std::string software(const Analysis& analysis) {
 std::string choices_text(const Analysis& analysis, int replicates) {
   return fmt::format(
       "Right choices were described by psychometric functions, cumulative normal in {} with a guess "
-      "rate of 1/3 and a lapse rate estimated up to 0.1, fitted by maximum likelihood to the answers of all "
+      "rate of {} and a lapse rate estimated up to 0.1, fitted by maximum likelihood to the answers of all "
       "participants (Wichmann and Hill, 2001). The interval of the threshold is that of the profile "
       "likelihood, scaled by the variance of the threshold over participants (leaving out one at a time) "
       "with Student's t. Intervals of width and lapse and the bands are 95 % percentiles of {} bootstrap "
       "samples of participants (seed {}). Goodness of fit is the deviance against {} data sets simulated "
       "from the fit.",
-      level_words(analysis.data.axis).axis, replicates, analysis.resampling.seed, deviance_replicates);
+      level_words(analysis.data.axis).axis, task_words(analysis).chance_number, replicates,
+      analysis.resampling.seed, deviance_replicates);
 }
 
 std::string differences_text(const Analysis& analysis) {
@@ -366,13 +374,14 @@ MethodsText methods_text(const Analysis& analysis, const ReportNumbers& numbers)
     if (analysis.joint) paragraphs.push_back(joint_text(analysis, words));
     if (analysis.joint && analysis.joint->fit.estimated())
       paragraphs.push_back(joint_comparisons_text(numbers));
-    paragraphs.push_back(means_text(words));
+    const bool rated = asks_ratings(analysis.log);
+    if (rated) paragraphs.push_back(means_text(analysis, words));
     if (stands_apart(analysis.data.axis, levels_drawn(analysis.data).levels.front()))
       paragraphs.emplace_back(
           "The level none stands apart: it lies on no logarithmic axis, and is no part of the fits.");
     if (const std::string answered = answered_text(analysis); !answered.empty())
       paragraphs.push_back(answered);
-    if (analysis.counts.used > 1) paragraphs.push_back(intervals_text(analysis, words));
+    if (rated && analysis.counts.used > 1) paragraphs.push_back(intervals_text(analysis, words));
     for (const ChoiceCurve& curve : numbers.choices)
       if (curve.pooled) {
         paragraphs.push_back(choices_text(analysis, curve.band_replicates));
@@ -382,7 +391,7 @@ MethodsText methods_text(const Analysis& analysis, const ReportNumbers& numbers)
       paragraphs.push_back(comparisons_text(*numbers.comparisons, numbers));
     if (numbers.conditions && !analysis.differences.empty()) paragraphs.push_back(differences_text(analysis));
     if (analysis.replication) paragraphs.push_back(replication_method(analysis));
-    paragraphs.push_back(checks_method_text(words));
+    if (rated) paragraphs.push_back(checks_method_text(words));
     if (numbers.order.missing.empty()) paragraphs.push_back(order_text(numbers.order));
   }
   paragraphs.push_back(screening_text(analysis));

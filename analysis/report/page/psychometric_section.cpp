@@ -4,8 +4,10 @@
 
 #include <cmath>
 
+#include "analysis/log_analysis/people_choices.h"
 #include "analysis/report/page/html_parts.h"
 #include "analysis/report/text/threshold_text.h"
+#include "stimuli/definition/parts/task_definition.h"
 #include "support/text/html.h"
 
 namespace seamline::analysis {
@@ -115,6 +117,13 @@ std::string chance_text(const ReportNumbers& numbers) {
   return fmt::format("1/{:.0f}", 1 / numbers.guess_rate);
 }
 
+std::string what_is_counted(const Analysis& analysis) {
+  const TaskFacts task = facts_of(analysis.log.task.get());
+  if (task.right_is_yes) return "How often people said yes, where something was inserted";
+  return task.kind == TaskKind::object ? "Which object was chosen, without the ratings"
+                                       : "Which alternative was chosen, without any rating";
+}
+
 std::string half_way_text(const ReportNumbers& numbers) {
   const bool of_three = std::abs(numbers.guess_rate - 1.0 / 3) < 1e-9;
   return of_three ? "2/3" : decimal_text((1 + numbers.guess_rate) / 2, 2);
@@ -150,9 +159,39 @@ std::string detection_html(const ReportNumbers& numbers) {
                     lines);
 }
 
+/// Every participant's own threshold.
+std::string own_html(const std::vector<OwnThreshold>& people, const LevelAxis& axis) {
+  constexpr std::size_t most_shown = 60;
+  if (people.empty()) return "";
+  Lines lines;
+  for (const OwnThreshold& own : people) {
+    if (lines.size() >= most_shown) break;
+    lines.push_back({own.participant, artifact_title(own.artifact, own.condition),
+                     std::to_string(own.answers), percent_text(own.right_share),
+                     own.threshold ? with_interval(estimated_text(axis, *own.threshold),
+                                                   estimated_text(axis, own.ci95.low),
+                                                   estimated_text(axis, own.ci95.high))
+                                   : "–",
+                     verdict_sentence(own.verdict)});
+  }
+  return "<h3 id=\"own\">Each participant</h3>\n<p>The same function fitted to each participant’s answers alone, "
+         "with 95 % intervals over these answers (profile likelihood): they are about this person, and say nothing "
+         "of other people. " +
+         std::string(people.size() > most_shown ? "The others are" : "Also") +
+         " in <code>thresholds_people.csv</code>.</p>\n" +
+         html_table({{"participant"},
+                     {"artifact"},
+                     {"answers", true},
+                     {"right", true},
+                     {threshold_title(axis), true},
+                     {"verdict"}},
+                    lines);
+}
+
 }  // namespace
 
-std::string psychometric_html(const ReportNumbers& numbers, const std::vector<Figure>& figures) {
+std::string psychometric_html(const Analysis& analysis, const ReportNumbers& numbers,
+                              const std::vector<Figure>& figures) {
   std::string html = "<h2 id=\"psychometric\">Psychometric functions</h2>\n", missing;
   bool fitted = false;
   for (const ChoiceCurve& curve : numbers.choices) {
@@ -162,10 +201,7 @@ std::string psychometric_html(const ReportNumbers& numbers, const std::vector<Fi
   html += missing;
   if (fitted)
     html +=
-        "<p>" +
-        std::string(numbers.detection.rows.empty()
-                        ? "Which object was chosen, without the ratings"
-                        : "How often people said yes, where something was inserted") +
+        "<p>" + what_is_counted(analysis) +
         ": the share of right choices falls from 1 less the lapse rate to chance, " + chance_text(numbers) +
         ", " +
         (of_depth_widths(numbers.axis)
@@ -182,7 +218,8 @@ std::string psychometric_html(const ReportNumbers& numbers, const std::vector<Fi
         "The p of the deviance takes answers as independent, which one person’s are not: a small one says "
         "that the curve’s shape or the people differ from the model.</p>\n" +
         warnings_list(numbers);
-  return html + tracks_html(numbers) + detection_html(numbers);
+  return html + own_html(own_thresholds(analysis), numbers.axis) + tracks_html(numbers) +
+         detection_html(numbers);
 }
 
 }  // namespace seamline::analysis

@@ -7,6 +7,7 @@
 namespace seamline::analysis {
 
 /// Functions of right choices with figure, table, warnings; the tracks of adaptive logs.
-[[nodiscard]] std::string psychometric_html(const ReportNumbers& numbers, const std::vector<Figure>& figures);
+[[nodiscard]] std::string psychometric_html(const Analysis& analysis, const ReportNumbers& numbers,
+                                            const std::vector<Figure>& figures);
 
 }  // namespace seamline::analysis

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "analysis/log_analysis/task_words.h"
 #include "analysis/log_analysis/threshold_rows.h"
 #include "analysis/report/page/checks_section.h"
 #include "analysis/report/page/comparisons_section.h"
@@ -81,7 +82,7 @@ std::string paper_way_legend(const Analysis& analysis) {
 
 std::string thresholds_section(const Analysis& analysis) {
   std::string html = "<h2 id=\"thresholds\">Thresholds</h2>\n" + threshold_table_html(analysis);
-  if (!analysis.joint) html += paper_way_legend(analysis);
+  if (!analysis.joint && asks_ratings(analysis.log)) html += paper_way_legend(analysis);
   if (!analysis.planted.empty())
     html +=
         "<p>Planted values are where the simulated observers’ expected mean noticeability truly crosses 0.5 "
@@ -93,14 +94,14 @@ std::string thresholds_section(const Analysis& analysis) {
   return html;
 }
 
-std::string noticeability_section(const std::vector<Figure>& figures, bool adaptive, const LevelAxis& axis) {
-  std::string html = "<h2 id=\"noticeability\">Noticeability</h2>\n";
-  if (adaptive)
+std::string noticeability_section(const Analysis& analysis, const std::vector<Figure>& figures) {
+  std::string html = "<h2 id=\"noticeability\">" + task_words(analysis).title + "</h2>\n";
+  if (analysis.adaptive)
     html += fmt::format(
         "<p>There is no curve of everybody’s mean noticeability: {0} were placed by the answers. The means "
         "of "
         "objects below are over different people at different {0}.</p>\n",
-        level_words(axis).levels);
+        level_words(analysis.data.axis).levels);
   return html + figure_html(figures, "fig7_averages") + figure_html(figures, "fig6_objects") +
          figure_html(figures, "participants");
 }
@@ -143,11 +144,12 @@ std::string report_html(const Analysis& analysis, const ReportNumbers& numbers,
   std::string links = contents;
   if (!analysis.joint)
     links.erase(links.find(" <a href=\"#model\">"), std::string(" <a href=\"#model\">Model</a>").size());
+  if (const std::string title = task_words(analysis).title; title != "Noticeability")
+    links.replace(links.find(">Noticeability<"), std::string(">Noticeability<").size(), ">" + title + "<");
   html += header(analysis) + links + preregistration_html(analysis) + thresholds_section(analysis) +
           replication_html(analysis) + differences_html(analysis) + origins_html(analysis) +
-          joint_model_html(analysis, figures) +
-          noticeability_section(figures, analysis.adaptive, analysis.data.axis) +
-          psychometric_html(numbers, figures) + comparisons_html(analysis, numbers) +
+          joint_model_html(analysis, figures) + noticeability_section(analysis, figures) +
+          psychometric_html(analysis, numbers, figures) + comparisons_html(analysis, numbers) +
           checks_html(analysis, figures) + order_html(numbers, figures) + times_html(numbers, figures);
   html += "<h2 id=\"participants\">Participants</h2>\n" + participant_table_html(analysis, numbers);
   html += "<h2 id=\"stimuli\">Stimuli</h2>\n" + samples_html(samples, analysis.data.axis) +

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "analysis/log_analysis/headline_rows.h"
+#include "analysis/log_analysis/task_words.h"
 #include "analysis/report/page/html_parts.h"
 #include "analysis/report/text/threshold_text.h"
 #include "analysis/thresholds/angular_resolution.h"
@@ -41,8 +42,13 @@ std::string threshold_line(const ThresholdRow& row, bool planted, bool beside) {
   return line + "</tr>\n";
 }
 
+/// Which columns the table of record has beside the joint model's.
+struct ColumnsShown {
+  bool planted = false, paper = false, papers_way = true;
+};
+
 /// A line of the table of record.
-std::string headline_line(const HeadlineRow& row, bool first, bool planted, bool paper) {
+std::string headline_line(const HeadlineRow& row, bool first, const ColumnsShown& shown) {
   const bool widths = of_depth_widths(row.tested.axis);
   const auto cell = [](const std::string& text, bool number = true) {
     return fmt::format("<td{}>{}</td>", number ? " class=\"number\"" : "", html_escape(text));
@@ -57,33 +63,49 @@ std::string headline_line(const HeadlineRow& row, bool first, bool planted, bool
   else
     line += fmt::format("<td colspan=\"3\" class=\"verdict\">{}</td>", html_escape(row.here.reason));
   if (widths) line += cell(texels_text(row.here));
-  line += cell(row.paper_way ? (row.paper_way->level_x ? estimate_text(*row.paper_way, row.tested)
-                                                       : row.paper_way->reason)
-                             : "–",
-               false);
-  if (paper) line += cell(row.paper_px ? fmt::format("{} × {}", *row.paper_px, *row.paper_px / 2) : "–");
-  if (planted) line += cell(row.planted ? size_text(*row.planted, row.tested.axis) : "");
+  if (shown.papers_way)
+    line += cell(row.paper_way ? (row.paper_way->level_x ? estimate_text(*row.paper_way, row.tested)
+                                                         : row.paper_way->reason)
+                               : "–",
+                 false);
+  if (shown.paper)
+    line += cell(row.paper_px ? fmt::format("{} × {}", *row.paper_px, *row.paper_px / 2) : "–");
+  if (shown.planted) line += cell(row.planted ? size_text(*row.planted, row.tested.axis) : "");
   return line + "</tr>\n";
 }
 
 std::string headline_table(const Analysis& analysis) {
-  const bool planted = !analysis.planted.empty(), paper = beside_the_paper(analysis);
+  const ColumnsShown shown{.planted = !analysis.planted.empty() || !planted_detection(analysis).empty(),
+                           .paper = beside_the_paper(analysis),
+                           .papers_way = asks_ratings(analysis.log)};
   const bool widths = of_depth_widths(analysis.data.axis);
   std::string table = fmt::format(
       "<div class=\"scroll\"><table class=\"tight\">\n<thead><tr><th>artifact</th><th></th><th "
       "class=\"number\">{}</th><th>95 "
-      "% interval{}</th><th>simultaneous</th>{}<th>paper’s way</th>{}{}</tr></thead>\n<tbody>\n",
+      "% interval{}</th><th>simultaneous</th>{}{}{}{}</tr></thead>\n<tbody>\n",
       analysis.counts.simulated > 0 ? "simulated<br>observers" : "this study", widths ? "<br>of W" : "",
       widths ? "<th class=\"number\">texels per<br>degree</th>" : "",
-      paper ? "<th class=\"number\">paper,<br>Table 1</th>" : "",
-      planted ? "<th class=\"number\">planted</th>" : "");
+      shown.papers_way ? "<th>paper’s way</th>" : "",
+      shown.paper ? "<th class=\"number\">paper,<br>Table 1</th>" : "",
+      shown.planted ? "<th class=\"number\">planted</th>" : "");
   const std::vector<HeadlineRow> rows = headline_rows(analysis);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const bool first =
         i == 0 || rows[i - 1].artifact != rows[i].artifact || rows[i - 1].condition != rows[i].condition;
-    table += headline_line(rows[i], first, planted, paper);
+    table += headline_line(rows[i], first, shown);
   }
-  return table + "</tbody></table></div>\n" +
+  table += "</tbody></table></div>\n";
+  if (!shown.papers_way)
+    return table +
+           html_paragraph(
+               "This study’s numbers are of one joint model of seeing and guessing, fitted to all answers. "
+               "Detection: half is seen, with chance taken out. Simultaneous: holds together with those of all "
+               "curves.") +
+           (shown.planted ? html_paragraph("Planted: where the simulated observers see half; they check the "
+                                           "analysis and say nothing about people.")
+                          : "") +
+           html_paragraph(fixed_effects_text(analysis));
+  return table +
          html_paragraph(
              "This study’s numbers are of one joint model of seeing, guessing and rating, fitted to all "
              "answers. "

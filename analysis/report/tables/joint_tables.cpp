@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "analysis/log_analysis/headline_rows.h"
+#include "analysis/log_analysis/people_choices.h"
 #include "analysis/report/tables/table_columns.h"
 #include "analysis/report/text/joint_text.h"
 #include "analysis/report/text/threshold_text.h"
@@ -52,6 +53,41 @@ CsvTable thresholds_joint_table(const Analysis& analysis) {
   return table;
 }
 
+/// Columns of each participant's own function, behind those of the joint model.
+void add_own(CsvTable& table, const std::vector<OwnThreshold>& people, const LevelAxis& axis,
+             std::vector<std::string>& conditions) {
+  const std::string suffix = unit_suffix(axis), unit(facts(axis.quantity).unit);
+  for (CsvColumn& column : std::vector<CsvColumn>{
+           {"own_threshold" + suffix, unit,
+            "where the participant sees half, from this participant's answers alone; empty when "
+            "they do not say, see own_verdict"},
+           {"own_low" + suffix, unit, "lower end of its 95 % interval (profile likelihood)"},
+           {"own_high" + suffix, unit, "upper end of it"},
+           {"own_verdict", "text", "what these answers say of the threshold"}})
+    table.columns.push_back(std::move(column));
+  std::vector<std::vector<CsvValue>> rows;
+  std::vector<std::string> of_rows;
+  for (const OwnThreshold& own : people) {
+    std::vector<CsvValue> row = {own.participant,
+                                 std::string(word(own.artifact)),
+                                 CsvValue(std::monostate{}),
+                                 CsvValue(std::monostate{}),
+                                 CsvValue(std::monostate{}),
+                                 whole(own.answers)};
+    for (std::size_t i = 0; i < table.rows.size(); ++i)
+      if (table.rows[i][0] == row[0] && table.rows[i][1] == row[1] && conditions[i] == own.condition)
+        row = table.rows[i];
+    row.push_back(own.threshold ? CsvValue(*own.threshold) : CsvValue(std::monostate{}));
+    row.push_back(number(closed(own.ci95.low)));
+    row.push_back(number(closed(own.ci95.high)));
+    row.emplace_back(own.verdict.text);
+    rows.push_back(std::move(row));
+    of_rows.push_back(own.condition);
+  }
+  table.rows = std::move(rows);
+  conditions = std::move(of_rows);
+}
+
 CsvTable thresholds_people_table(const Analysis& analysis) {
   const LevelAxis& axis = analysis.data.axis;
   const std::string suffix = unit_suffix(axis), unit(facts(axis.quantity).unit);
@@ -76,6 +112,8 @@ CsvTable thresholds_people_table(const Analysis& analysis) {
                             number(closed(ci95.high)), one.answers});
       conditions.push_back(label.condition);
     }
+  if (const std::vector<OwnThreshold> own = own_thresholds(analysis); !own.empty())
+    add_own(table, own, axis, conditions);
   add_conditions(table, has_conditions(analysis.data), conditions);
   return table;
 }

@@ -102,6 +102,11 @@ std::string guesses_text(const Guessers& guessers) {
 std::string guessers_text(const GuessCorrection& correction) {
   const Guessers& guessers = correction.guessers;
   if (!guessers.known()) return "Nobody chose wrong: there are no guesses to learn from.";
+  if (!guessers.task.rates)
+    return fmt::format(
+        "{} (from {:.0f} wrong choices and {:.0f} reference trials), so that a share of right answers below {:.2f} is not "
+        "expected.",
+        guesses_text(guessers), guessers.wrong_answers, guessers.reference_answers, correction.floor);
   return fmt::format(
       "{} and rate {:.2f} on average (from {:.0f} wrong choices and {:.0f} reference trials), so that uncorrected noticeability is not "
       "expected below {:.2f}.",

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "analysis/log_analysis/headline_rows.h"
+#include "analysis/log_analysis/task_words.h"
 #include "analysis/thresholds/paper_values.h"
 
 namespace seamline::analysis {
@@ -69,8 +70,9 @@ namespace {
 /// Titles of columns, and cells of a line each.
 std::vector<std::vector<std::string>> headline_lines(const Analysis& analysis, bool simulated, bool paper) {
   const std::string of_width = of_depth_widths(analysis.data.axis) ? " (W)" : "";
-  std::vector<std::vector<std::string>> lines = {
-      {"artifact", "", "joint model", "95 % interval" + of_width, "paper's way"}};
+  const bool papers_way = asks_ratings(analysis.log);
+  std::vector<std::vector<std::string>> lines = {{"artifact", "", "joint model", "95 % interval" + of_width}};
+  if (papers_way) lines.front().emplace_back("paper's way");
   if (paper) lines.front().push_back("paper" + of_width);
   if (simulated) lines.front().push_back("planted" + of_width);
   const HeadlineRow* last = nullptr;
@@ -79,10 +81,12 @@ std::vector<std::vector<std::string>> headline_lines(const Analysis& analysis, b
     const bool first = last == nullptr || last->artifact != row.artifact || last->condition != row.condition;
     lines.push_back({first ? artifact_title(row.artifact, row.condition) : "", row.rule->name,
                      size_text(row.here, row.tested.axis, "x"),
-                     row.here.level_x ? interval_text(row.here.ci95, row.tested) : "",
-                     row.paper_way ? (row.paper_way->level_x ? estimate_text(*row.paper_way, row.tested)
-                                                             : row.paper_way->reason)
-                                   : ""});
+                     row.here.level_x ? interval_text(row.here.ci95, row.tested) : ""});
+    if (papers_way)
+      lines.back().push_back(
+          row.paper_way
+              ? (row.paper_way->level_x ? estimate_text(*row.paper_way, row.tested) : row.paper_way->reason)
+              : "");
     if (paper) lines.back().push_back(row.paper_px ? std::to_string(*row.paper_px) : "-");
     if (simulated) lines.back().push_back(row.planted ? level_text(*row.planted, row.tested.axis) : "");
     last = &row;
@@ -109,13 +113,17 @@ std::vector<std::vector<std::string>> paper_way_lines(const Analysis& analysis, 
 }  // namespace
 
 std::string table_text(const Analysis& analysis) {
-  const bool simulated = !analysis.planted.empty(), paper = beside_the_paper(analysis);
+  const bool simulated = !analysis.planted.empty() || !planted_detection(analysis).empty(),
+             paper = beside_the_paper(analysis);
   const LevelAxis& axis = analysis.data.axis;
   std::string text =
       (of_depth_widths(axis) ? std::string("Depth map width W x height in px") : axis_title(axis)) + "; " +
       source_text(analysis) + "\n" +
       aligned(analysis.joint ? headline_lines(analysis, simulated, paper)
                              : paper_way_lines(analysis, simulated, paper));
+  if (!asks_ratings(analysis.log))
+    return text + "Detection: half is seen, with chance taken out." +
+           (simulated ? " Planted: where the simulated observers see half.\n" : "\n");
   text += "PT: mean noticeability 0.5; SN: 1.0; IP: inflection point.";
   if (analysis.joint)
     text +=
