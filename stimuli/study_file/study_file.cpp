@@ -191,9 +191,6 @@ StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& fol
   if (const auto catches = table.table("catch")) study.catches = read_catches(*catches);
   read_people(table, study);
   read_task(table, study);
-  if (study.task && study.languages)
-    throw table.complaint("language", "no [task] beside it: its answers and labels are in one language",
-                          "both");
   std::set<std::string> names;
   for (const TomlTable& scene : table.tables("scene")) {
     study.scenes.push_back(read_scene(scene, folders, assets, study.level.quantity, clip.get()));

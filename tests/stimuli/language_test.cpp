@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "stimuli/definition/parts/task_definition.h"
 #include "stimuli/definition/people/language_definition.h"
 #include "stimuli/study_file/people/study_file_language.h"
 #include "stimuli/study_file/study_file.h"
@@ -52,6 +53,43 @@ TEST_F(Languages, EveryBuiltinTranslatesAllThatSeamlineSays) {
     EXPECT_NE(read.session.question, study.session.question);
     EXPECT_NE(page_texts_of(read).at("recruitment_code"), page_texts_of(study).at("recruitment_code"));
   }
+}
+
+TEST_F(Languages, EveryBuiltinTranslatesTheTasks) {
+  for (const std::string tag : {"de", "fr", "es", "zh", "ja", "ar"})
+    for (const std::string kind : {"pair", "interval", "yes_no", "rating"}) {
+      const StudyDefinition study =
+          study_of("[catch]\nreference = 9\n[task]\nkind = \"" + kind + "\"\n[[language]]\ntag = \"" + tag +
+                   "\"\ntexts = \"builtin:" + tag + "\"\n");
+      const StudyTexts texts = read_study_texts(study, study.languages->languages.at(0));
+      EXPECT_EQ(missing_texts(study, texts), std::vector<std::string>{}) << tag << " " << kind;
+      const StudyDefinition read = in_language(study, texts);
+      EXPECT_NE(read.session.question, study.session.question) << tag << " " << kind;
+      EXPECT_EQ(read.task->answers.size(), study.task->answers.size());
+      EXPECT_TRUE(read.task->answers.empty() || read.task->answers != study.task->answers)
+          << tag << " " << kind;
+      EXPECT_TRUE(read.task->labels.empty() || read.task->labels != study.task->labels) << tag << " " << kind;
+      EXPECT_EQ(study_hash(study),
+                study_hash(study_of("[catch]\nreference = 9\n[task]\nkind = \"" + kind + "\"\n")));
+    }
+}
+
+TEST_F(Languages, AnswersOfATaskAreTranslatedOneByOne) {
+  const std::string task = "[task]\nkind = \"pair\"\n";
+  EXPECT_EQ(texts_of(head + std::string("[task]\nanswers = [\"links\", \"rechts\"]\n"), task).answers,
+            (std::vector<std::string>{"links", "rechts"}));
+  EXPECT_NE(complaint_of([&] {
+              (void)texts_of(head + std::string("[task]\nanswers = [\"links\"]\n"), task);
+            }).find("2 texts that differ"),
+            std::string::npos);
+  EXPECT_NE(complaint_of([&] {
+              (void)texts_of(head + std::string("[task]\nanswers = [\"a\", \"b\"]\n"));
+            }).find("[task]"),
+            std::string::npos);
+  const StudyDefinition study = study_of(task + "[[language]]\ntag = \"de\"\ntexts = \"builtin:de\"\n");
+  EXPECT_NE(texts_to_translate(study, read_study_texts(study, study.languages->languages.at(0)))
+                .find("answers = [\"Links\", \"Rechts\"]"),
+            std::string::npos);
 }
 
 TEST_F(Languages, ABuiltinDoesNotCountWhereTheStudySpeaksForItself) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <memory>
 
+#include "stimuli/definition/parts/task_definition.h"
+
 namespace seamline::inline stimuli {
 namespace {
 
@@ -57,6 +59,8 @@ std::vector<std::string> missing_texts(const StudyDefinition& study, const Study
   for (std::size_t i = 0; i < study.instructions.size(); ++i)
     want(fmt::format("instructions.page[{}].text", i), study.instructions[i].text,
          i < texts.instructions.size() ? texts.instructions[i] : "");
+  if (study.task && texts.answers.size() != study.task->answers.size()) missing.emplace_back("task.answers");
+  if (study.task && texts.labels.size() != study.task->labels.size()) missing.emplace_back("task.labels");
   want("training.feedback_right", study.training.feedback_right, texts.feedback_right);
   want("training.feedback_wrong", study.training.feedback_wrong, texts.feedback_wrong);
   for (const PhraseEntry& entry : every_phrase())
@@ -83,6 +87,12 @@ StudyDefinition in_language(const StudyDefinition& study, const StudyTexts& text
   replace(read.training.feedback_right, texts.feedback_right);
   replace(read.training.feedback_wrong, texts.feedback_wrong);
   for (const auto& [phrase, text] : texts.texts) read.texts[phrase] = text;
+  if (study.task) {
+    auto task = std::make_shared<TaskDefinition>(*study.task);
+    if (texts.answers.size() == task->answers.size()) task->answers = texts.answers;
+    if (texts.labels.size() == task->labels.size()) task->labels = texts.labels;
+    read.task = task;
+  }
   if (study.recruitment) {
     auto recruitment = std::make_shared<RecruitmentDefinition>(*study.recruitment);
     for (const PageText& entry : every_recruitment_text())

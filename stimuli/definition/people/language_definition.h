@@ -45,6 +45,7 @@ struct StudyTexts {
   std::map<std::string, FormFieldTexts> form = {};  ///< by the field's name
   std::vector<std::string> instructions = {};       ///< a text a page
   std::string feedback_right = {}, feedback_wrong = {};
+  std::vector<std::string> answers = {}, labels = {};  ///< of [task]
   InterfaceTexts texts = {};
   std::map<std::string, std::string> page_texts = {};  ///< of [recruitment] and of several languages
 };

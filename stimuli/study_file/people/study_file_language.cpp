@@ -6,6 +6,7 @@
 #include <functional>
 #include <set>
 
+#include "stimuli/definition/parts/task_definition.h"
 #include "stimuli/settings/session_settings.h"
 #include "stimuli/study_file/people/study_file_recruitment.h"
 #include "support/files/assets.h"
@@ -47,9 +48,59 @@ struct TextsReader {
     check_places(table, key, own, text);
     target = text;
   }
+  void take_list(const TomlTable& table, const std::string& key, const std::vector<std::string>& own,
+                 const std::vector<std::string>& usual, std::vector<std::string>& target) const;
+  void read_task_texts(const TomlTable& table) const;
+  void read_usual_task_texts(const TomlTable& table) const;
   void read_form_field(const TomlTable& table) const;
   void read(const TomlTable& table) const;
 };
+
+/// As many texts that differ as the study has.
+void TextsReader::take_list(const TomlTable& table, const std::string& key,
+                            const std::vector<std::string>& own, const std::vector<std::string>& usual,
+                            std::vector<std::string>& target) const {
+  if (!table.has(key)) return;
+  const std::vector<std::string> texts = table.texts(key);
+  if (builtin && own != usual) return;
+  const std::set<std::string> different(texts.begin(), texts.end());
+  if (texts.size() != own.size() || different.size() != own.size() || different.contains(""))
+    throw table.complaint(key, fmt::format("{} texts that differ, in the study's order", own.size()),
+                          fmt::format("{}, {} of them different", texts.size(), different.size()));
+  target = texts;
+}
+
+/// `[task]` of a study's own file of texts.
+void TextsReader::read_task_texts(const TomlTable& table) const {
+  const TaskDefinition* task = study.task.get();
+  if (task == nullptr)
+    throw table.complaint("answers", "no texts of a [task], which the study has not", "[task]");
+  take_list(table, "answers", task->answers, task->answers, into.answers);
+  take_list(table, "labels", task->labels, task->labels, into.labels);
+  table.finish();
+}
+
+/// `[[task_texts]]` of a built-in file: what Seamline says of one kind of task.
+void TextsReader::read_usual_task_texts(const TomlTable& table) const {
+  const std::string kind = table.text("kind");
+  if (!study.task || kind != word(study.task->kind)) return;
+  const TaskTexts usual = usual_texts(*study.task);
+  take(table, "question", study.session.question, usual.question, into.question);
+  take(table, "feedback_right", study.training.feedback_right, usual.feedback_right, into.feedback_right);
+  take(table, "feedback_wrong", study.training.feedback_wrong, usual.feedback_wrong, into.feedback_wrong);
+  const Phrase phrase = study.task->kind == TaskKind::rating ? Phrase::rating_hint : Phrase::choice_hint;
+  std::string hint;
+  take(table, "hint", phrase_text(study.texts, phrase), usual.hint, hint);
+  if (!hint.empty()) into.texts[phrase] = hint;
+  if (!study.task->answers.empty())
+    take_list(table, "answers", study.task->answers, usual.answers, into.answers);
+  if (!study.task->labels.empty())
+    take_list(table, "labels", study.task->labels, impairment_labels(), into.labels);
+  std::string instructions;
+  if (study.instructions.size() == 1)
+    take(table, "instructions", study.instructions.front().text, usual.instructions, instructions);
+  if (!instructions.empty()) into.instructions = {instructions};
+}
 
 void TextsReader::read_form_field(const TomlTable& table) const {
   const std::string name = table.text("name");
@@ -104,6 +155,9 @@ void TextsReader::read(const TomlTable& table) const {
     take(*consent, "decline", study.consent.decline, shipped.consent.decline, into.decline);
     consent->finish();
   }
+  if (const auto task = table.table("task")) read_task_texts(*task);
+  if (builtin)
+    for (const TomlTable& usual : table.tables("task_texts")) read_usual_task_texts(usual);
   for (const TomlTable& field : table.tables("form_field")) read_form_field(field);
   if (const auto instructions = table.table("instructions")) {
     std::vector<std::string> pages;
@@ -261,6 +315,14 @@ std::string texts_to_translate(const StudyDefinition& study, const StudyTexts& k
   out += mark("session.rating_labels") +
          fmt::format("rating_labels = {}\n",
                      toml_list({read.session.rating_labels.begin(), read.session.rating_labels.end()}));
+  if (read.task && !(read.task->answers.empty() && read.task->labels.empty())) {
+    out += "\n[task]\n";
+    const auto list = [&](const std::string& key, const std::vector<std::string>& texts) {
+      if (!texts.empty()) out += mark("task." + key) + fmt::format("{} = {}\n", key, toml_list(texts));
+    };
+    list("answers", read.task->answers);
+    list("labels", read.task->labels);
+  }
   out += "\n[consent]\n";
   if (!is_default_consent(study.consent) || !known.consent.empty())
     line("consent", "text", read.consent.text);

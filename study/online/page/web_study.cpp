@@ -233,17 +233,18 @@ std::string web_study_text(const WebStudy& web) {
 }
 
 std::string web_language_text(const WebStudy& web, const StudyDefinition& read, const std::string& font) {
-  const Json json = {{"language", read.session.language},
-                     {"font", font},
-                     {"consent", consent_json(read.consent)},
-                     {"form", form_json(read.form, web.set.study.form)},
-                     {"instructions", instructions_json(web, read)},
-                     {"question", read.session.question},
-                     {"rating_question", read.session.rating_question},
-                     {"rating_labels", read.session.rating_labels},
-                     {"feedback_right", read.training.feedback_right},
-                     {"feedback_wrong", read.training.feedback_wrong},
-                     {"texts", texts_json(read)}};
+  Json json = {{"language", read.session.language},
+               {"font", font},
+               {"consent", consent_json(read.consent)},
+               {"form", form_json(read.form, web.set.study.form)},
+               {"instructions", instructions_json(web, read)},
+               {"question", read.session.question},
+               {"rating_question", read.session.rating_question},
+               {"rating_labels", read.session.rating_labels},
+               {"feedback_right", read.training.feedback_right},
+               {"feedback_wrong", read.training.feedback_wrong},
+               {"texts", texts_json(read)}};
+  if (read.task) json["task"] = task_json(read, make_visit_script(web.set).pace.task);
   return json.dump(1) + "\n";
 }
 
