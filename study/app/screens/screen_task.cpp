@@ -45,17 +45,34 @@ void show_pictures(Stage& stage, const TrialPlace& place, const Trial& trial, in
   }
 }
 
+/// A question with a row of numbered answers below it.
+struct AskedRow {
+  const char* id = "";
+  std::string question;
+  Phrase hint = Phrase::choice_hint;
+  std::vector<std::string> labels;
+};
+
+/// Draws it; which answer was clicked or pressed, from 0, or -1.
+int ask_row(const TaskTrial& trial, const AskedRow& row) {
+  Stage& stage = trial.stage;
+  const int count = static_cast<int>(row.labels.size());
+  draw_question(stage, trial.place, Font::body, row.question, 0.9);
+  draw_question(stage, trial.place, Font::small, stage.phrase(row.hint), 4.85);
+  move_focus(stage, 0, count - 1);
+  const int taken = draw_answer_row(stage, trial.place.questions,
+                                    {.id = row.id, .labels = row.labels, .focus = stage.drafts.trial_focus});
+  const int digit = stage.input.digit();
+  return digit >= 1 && digit <= count ? digit - 1 : taken;
+}
+
 /// A choice among the task's alternatives, by their names, or by the picture itself in a pair.
 Outcome choose_answer(const TaskTrial& trial) {
   Stage& stage = trial.stage;
-  const std::vector<std::string>& answers = stage.set.study.task->answers;
-  const int count = static_cast<int>(answers.size());
-  draw_question(stage, trial.place, Font::body, stage.set.study.session.question, 0.9);
-  draw_question(stage, trial.place, Font::small, stage.phrase(Phrase::choice_hint), 4.85);
-  move_focus(stage, 0, count - 1);
-  int chosen = 1 + draw_answer_row(stage, trial.place.questions,
-                                   {.id = "answer", .labels = answers, .focus = stage.drafts.trial_focus});
-  if (const int digit = stage.input.digit(); digit >= 1 && digit <= count) chosen = digit;
+  int chosen = 1 + ask_row(trial, {.id = "answer",
+                                   .question = stage.set.study.session.question,
+                                   .hint = Phrase::choice_hint,
+                                   .labels = stage.set.study.task->answers});
   const std::vector<Rect> sides = trial_pictures(stage, trial.place);
   for (std::size_t i = 0; sides.size() > 1 && stage.input.mouse_pressed && i < sides.size(); ++i)
     if (sides[i].contains(stage.input.mouse)) chosen = static_cast<int>(i) + 1;
@@ -64,35 +81,20 @@ Outcome choose_answer(const TaskTrial& trial) {
   return Event(ObjectChosen{chosen, stage.input.now_ns});
 }
 
-/// The labels of a task with nothing to choose: rating 0 is the first.
-Outcome rate_alone(const TaskTrial& trial) {
-  Stage& stage = trial.stage;
-  const std::vector<std::string>& labels = stage.set.study.task->labels;
-  const int count = static_cast<int>(labels.size());
-  draw_question(stage, trial.place, Font::body, stage.set.study.session.question, 0.9);
-  draw_question(stage, trial.place, Font::small, stage.phrase(Phrase::rating_hint), 4.85);
-  move_focus(stage, 0, count - 1);
-  int taken = draw_answer_row(stage, trial.place.questions,
-                              {.id = "rating", .labels = labels, .focus = stage.drafts.trial_focus});
-  if (const int digit = stage.input.digit(); digit >= 1 && digit <= count) taken = digit - 1;
+/// The labels of a task with nothing to choose: rating 0 is the first. After a choice, which stands, how
+/// noticeable was it? The first is then rating 1.
+Outcome rate(const TaskTrial& trial, bool after_choice) {
+  const Stage& stage = trial.stage;
+  const SessionDefinition& session = stage.set.study.session;
+  const int taken =
+      ask_row(trial, {.id = "rating",
+                      .question = after_choice ? session.rating_question : session.question,
+                      .hint = Phrase::rating_hint,
+                      .labels = after_choice ? std::vector<std::string>{session.rating_labels.begin(),
+                                                                        session.rating_labels.end()}
+                                             : stage.set.study.task->labels});
   if (taken < 0) return std::nullopt;
-  return Event(RatingGiven{taken, stage.input.now_ns});
-}
-
-/// How noticeable was the chosen alternative? The choice stands.
-Outcome rate_answer(const TaskTrial& trial) {
-  Stage& stage = trial.stage;
-  const auto& labels = stage.set.study.session.rating_labels;
-  draw_question(stage, trial.place, Font::body, stage.set.study.session.rating_question, 0.9);
-  draw_question(stage, trial.place, Font::small, stage.phrase(Phrase::rating_hint), 4.85);
-  move_focus(stage, 0, highest_rating - 1);
-  int rating =
-      1 + draw_answer_row(
-              stage, trial.place.questions,
-              {.id = "rating", .labels = {labels.begin(), labels.end()}, .focus = stage.drafts.trial_focus});
-  if (const int digit = stage.input.digit(); digit >= 1 && digit <= highest_rating) rating = digit;
-  if (rating == 0) return std::nullopt;
-  return Event(RatingGiven{rating, stage.input.now_ns});
+  return Event(RatingGiven{after_choice ? taken + 1 : taken, stage.input.now_ns});
 }
 
 /// Draws the picture while it is seen, and asks once the question is open.
@@ -103,7 +105,7 @@ Outcome ask(const Session& session, const TaskTrial& trial, const Trial& due, st
     show_pictures(stage, trial.place, due, 0);
   if (now_ns < onset_ns + session.pace.minimum_viewing_ns) return std::nullopt;
   if (std::holds_alternative<Choosing>(session.phase)) return choose_answer(trial);
-  return session.pace.task.facts.chooses ? rate_answer(trial) : rate_alone(trial);
+  return rate(trial, session.pace.task.facts.chooses);
 }
 
 }  // namespace

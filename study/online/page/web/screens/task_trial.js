@@ -4,6 +4,7 @@ import { isPictureSeen, taskOf } from "../core/session.js";
 import { currentTrial, trialsAhead } from "../core/trials.js";
 import { nanoseconds } from "../core/messages.js";
 import { element, svg } from "./dom.js";
+import { answerRow, answering, lateFrames, showProgress, tightenRow } from "./trial_parts.js";
 
 /** The stage of a picture: everything is placed in pixels of the screen. */
 function makeStage(app, display) {
@@ -70,12 +71,6 @@ function sideAt(study, x, y) {
   return x >= study.picture.width - study.width_px ? 2 : 0;
 }
 
-function progressBar(app, done, all) {
-  const bar = element("div", { class: "progress", "aria-hidden": "true" }, element("div"));
-  bar.firstChild.style.width = (all > 0 ? (100 * done) / all : 0) + "%";
-  return [bar, element("p", { class: "progress-words" }, app.phrase("progress", { done, all }))];
-}
-
 /** Draws the trial that is due, of the practice or of the study, from the grey before it to its answer. */
 export function drawTaskTrial(app, display, isPractice) {
   const session = () => (isPractice ? app.visit.training : app.visit.session);
@@ -89,51 +84,21 @@ export function drawTaskTrial(app, display, isPractice) {
   let asked = ""; // the phase whose question stands there
   let shownWith = null; // the frame that shows the picture has begun
   let frame = null;
-  let lateFrames = 0;
-  let lastFrame = null;
+  const lateness = lateFrames(app);
   let open = true;
 
-  const { answered, most } = session().trials;
-  if (isPractice)
-    stage.node.append(
-      element("p", { class: "practice" }, app.phrase("training_hint", { done: answered + 1, all: most }))
-    );
-  else stage.node.append(...progressBar(app, answered, most));
+  showProgress(app, stage.node, session().trials, isPractice);
 
   const step = (event) => app.step(event);
-  const choose = (index, event) => {
-    const before = session();
-    step({ type: "object_chosen", index, now_ns: nanoseconds(event.timeStamp) });
-    if (session() !== before) app.note("choice", (detail + " " + index).trim(), event.timeStamp);
-  };
-  const rate = (rating, event) => {
-    const before = session();
-    step({ type: "rating_given", rating, now_ns: nanoseconds(event.timeStamp) });
-    if (session() !== before || app.visit.pending) app.note("rating", (detail + " " + rating).trim(), event.timeStamp);
-  };
+  const { choose, rate } = answering(app, session, isPractice);
 
   const phase = () => session().phase;
   const isOpen = (now) => now >= phase().onset_ns + session().pace.minimum_viewing_ns;
 
-  /** A row of numbered answers; `take(index from 1, event)` hears which. */
-  function showRow(name, labels, take) {
-    ratings = labels.map((label, at) =>
-      element(
-        "button",
-        { type: "button", class: "rating", id: name + "-" + (at + 1), onclick: (event) => take(at + 1, event) },
-        at + 1 + "\u2002" + label
-      )
-    );
-    const group = element("div", { class: "ratings", role: "group", "aria-labelledby": "title" }, ...ratings);
-    stage.answers.replaceChildren(group);
-    tightenRatings();
-  }
-
   function showQuestion() {
     stage.question.textContent = app.study.question;
     stage.hint.textContent = app.phrase("choice_hint");
-    stage.answers.replaceChildren();
-    showRow("answer", task.answers, choose);
+    ratings = answerRow(stage, "answer", task.answers, choose);
   }
 
   const takeRating = (digit, event) => rate(task.chooses ? digit : digit - 1, event);
@@ -142,17 +107,8 @@ export function drawTaskTrial(app, display, isPractice) {
     const question = task.chooses ? app.study.rating_question : app.study.question;
     stage.question.textContent = question;
     stage.hint.textContent = app.phrase("rating_hint");
-    showRow("rating", task.chooses ? app.study.rating_labels : task.labels, takeRating);
+    ratings = answerRow(stage, "rating", task.chooses ? app.study.rating_labels : task.labels, takeRating);
     app.say(question);
-  }
-
-  /** Labels that are too long for one line get two, in the small type. */
-  function tightenRatings() {
-    const group = stage.answers.querySelector(".ratings");
-    if (!group) return;
-    stage.questions.hidden = false;
-    group.classList.remove("tight");
-    group.classList.toggle("tight", group.scrollWidth > group.clientWidth);
   }
 
   /** What is drawn now is seen a frame later, and what is due within half a frame of that is due then. */
@@ -199,9 +155,7 @@ export function drawTaskTrial(app, display, isPractice) {
   function onFrame(now) {
     frame = null;
     if (!open) return;
-    const period = 1000 / (app.screen.refreshHz() || 60);
-    if (lastFrame !== null && now - lastFrame > 1.5 * period && now - lastFrame < 1000) ++lateFrames;
-    lastFrame = now;
+    lateness.see(now);
     if (phase().name === "grey") step({ type: "tick", now_ns: nanoseconds(now) });
     if (["viewing", "gap"].includes(phase().name)) step({ type: "tick", now_ns: whenSeen(now) });
     if (phase().name === "awaiting") {
@@ -209,9 +163,7 @@ export function drawTaskTrial(app, display, isPractice) {
         // The frame before this one had the picture, so it is on the screen now.
         shownWith = null;
         app.note("shown", detail, now);
-        if (lateFrames > 0) app.note("late_frames", String(lateFrames), now);
-        lateFrames = 0;
-        lastFrame = null;
+        lateness.tell(now);
         step({ type: "image_shown", now_ns: nanoseconds(now) });
       } else if (picture && app.guard.problem() === null) {
         shownWith = now;
@@ -252,7 +204,7 @@ export function drawTaskTrial(app, display, isPractice) {
 
   const layOut = () => {
     stage.layOut();
-    if (ratings.length > 0) tightenRatings();
+    if (ratings.length > 0) tightenRow(stage);
   };
   stage.node.addEventListener("pointerdown", onPress);
   document.addEventListener("keydown", onKey);

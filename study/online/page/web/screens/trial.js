@@ -5,6 +5,7 @@ import { nanoseconds } from "../core/messages.js";
 import * as looking from "../core/looking.js";
 import { drawTaskFeedback, drawTaskTrial } from "./task_trial.js";
 import { element, svg } from "./dom.js";
+import { answerRow, answering, lateFrames, showProgress, tightenRow } from "./trial_parts.js";
 
 const SIDES = ["left_object", "middle_object", "right_object"];
 
@@ -174,12 +175,6 @@ function objectButtons(app, stage, map, choose) {
   return { buttons, place };
 }
 
-function progressBar(app, done, all) {
-  const bar = element("div", { class: "progress", "aria-hidden": "true" }, element("div"));
-  bar.firstChild.style.width = (all > 0 ? (100 * done) / all : 0) + "%";
-  return [bar, element("p", { class: "progress-words" }, app.phrase("progress", { done, all }))];
-}
-
 /** Draws the trial that is due, of the practice or of the study, from the grey before it to its answer. */
 function drawTrial(app, display, isPractice) {
   const session = () => (isPractice ? app.visit.training : app.visit.session);
@@ -196,29 +191,18 @@ function drawTrial(app, display, isPractice) {
   let moved = false;
   let shownWith = null; // the frame that shows the picture has begun
   let frame = null;
-  let lateFrames = 0;
-  let lastFrame = null;
+  const lateness = lateFrames(app);
   let open = true;
   let grabbed = null; // where the view was taken hold of, and whether it has moved since
 
-  const { answered, most } = session().trials;
-  if (isPractice)
-    stage.node.append(
-      element("p", { class: "practice" }, app.phrase("training_hint", { done: answered + 1, all: most }))
-    );
-  else stage.node.append(...progressBar(app, answered, most));
+  showProgress(app, stage.node, session().trials, isPractice);
 
   const step = (event) => app.step(event);
-  const choose = (index, event) => {
-    const before = session();
-    step({ type: "object_chosen", index, now_ns: nanoseconds(event.timeStamp) });
-    if (session() !== before) app.note("choice", (detail + " " + index).trim(), event.timeStamp);
-  };
+  const answers = answering(app, session, isPractice);
+  const choose = answers.choose;
   const rate = (rating, event) => {
-    const before = session();
     if (!isPractice && phase().name === "rating") view.poses.take().forEach((poses) => app.note("look", poses));
-    step({ type: "rating_given", rating, now_ns: nanoseconds(event.timeStamp) });
-    if (session() !== before || app.visit.pending) app.note("rating", (detail + " " + rating).trim(), event.timeStamp);
+    answers.rate(rating, event);
   };
 
   const phase = () => session().phase;
@@ -257,26 +241,8 @@ function drawTrial(app, display, isPractice) {
     if (ratings.length > 0) return;
     stage.question.textContent = app.study.rating_question;
     stage.hint.textContent = app.phrase("rating_hint");
-    ratings = app.study.rating_labels.map((label, at) =>
-      element(
-        "button",
-        { type: "button", class: "rating", id: "rating-" + (at + 1), onclick: (event) => rate(at + 1, event) },
-        at + 1 + "\u2002" + label
-      )
-    );
-    const group = element("div", { class: "ratings", role: "group", "aria-labelledby": "title" }, ...ratings);
-    stage.answers.replaceChildren(group);
-    tightenRatings();
+    ratings = answerRow(stage, "rating", app.study.rating_labels, rate);
     app.say(app.study.rating_question);
-  }
-
-  /** Labels that are too long for one line get two, in the small type. */
-  function tightenRatings() {
-    const group = stage.answers.querySelector(".ratings");
-    if (!group) return;
-    stage.questions.hidden = false;
-    group.classList.remove("tight");
-    group.classList.toggle("tight", group.scrollWidth > group.clientWidth);
   }
 
   /** What the phase shows. */
@@ -361,18 +327,14 @@ function drawTrial(app, display, isPractice) {
   function onFrame(now) {
     frame = null;
     if (!open) return;
-    const period = 1000 / (app.screen.refreshHz() || 60);
-    if (lastFrame !== null && now - lastFrame > 1.5 * period && now - lastFrame < 1000) ++lateFrames;
-    lastFrame = now;
+    lateness.see(now);
     if (phase().name === "grey") step({ type: "tick", now_ns: nanoseconds(now) });
     if (phase().name === "awaiting") {
       if (shownWith !== null) {
         // The frame before this one had the picture, so it is on the screen now.
         shownWith = null;
         app.note("shown", detail, now);
-        if (lateFrames > 0) app.note("late_frames", String(lateFrames), now);
-        lateFrames = 0;
-        lastFrame = null;
+        lateness.tell(now);
         view.poses.add(0, view.pose());
         step({ type: "image_shown", now_ns: nanoseconds(now) });
       } else if (picture && isSeen() && app.guard.problem() === null) {
@@ -461,7 +423,7 @@ function drawTrial(app, display, isPractice) {
   const layOut = () => {
     stage.layOut();
     controls?.place();
-    if (ratings.length > 0) tightenRatings();
+    if (ratings.length > 0) tightenRow(stage);
     stage.bracket([]);
     drawBrackets();
   };

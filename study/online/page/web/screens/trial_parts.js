@@ -1,0 +1,74 @@
+// What the trials of every task share: progress, answers as events, the row of numbered answers, late frames.
+import { nanoseconds } from "../core/messages.js";
+import { element } from "./dom.js";
+
+/** Says how far the practice or the study is. */
+export function showProgress(app, node, { answered, most }, isPractice) {
+  if (isPractice) {
+    const words = app.phrase("training_hint", { done: answered + 1, all: most });
+    node.append(element("p", { class: "practice" }, words));
+    return;
+  }
+  const bar = element("div", { class: "progress", "aria-hidden": "true" }, element("div"));
+  bar.firstChild.style.width = (most > 0 ? (100 * answered) / most : 0) + "%";
+  node.append(bar, element("p", { class: "progress-words" }, app.phrase("progress", { done: answered, all: most })));
+}
+
+/** Choices and ratings as events of the session, noted where they changed something. */
+export function answering(app, session, isPractice) {
+  const detail = isPractice ? "practice" : "";
+  return {
+    choose(index, event) {
+      const before = session();
+      app.step({ type: "object_chosen", index, now_ns: nanoseconds(event.timeStamp) });
+      if (session() !== before) app.note("choice", (detail + " " + index).trim(), event.timeStamp);
+    },
+    rate(rating, event) {
+      const before = session();
+      app.step({ type: "rating_given", rating, now_ns: nanoseconds(event.timeStamp) });
+      if (session() !== before || app.visit.pending) app.note("rating", (detail + " " + rating).trim(), event.timeStamp);
+    },
+  };
+}
+
+/** A row of numbered answers on a stage; `take(number from 1, event)` hears which. Its buttons. */
+export function answerRow(stage, name, labels, take) {
+  const buttons = labels.map((label, at) =>
+    element(
+      "button",
+      { type: "button", class: "rating", id: name + "-" + (at + 1), onclick: (event) => take(at + 1, event) },
+      at + 1 + "\u2002" + label
+    )
+  );
+  const group = element("div", { class: "ratings", role: "group", "aria-labelledby": "title" }, ...buttons);
+  stage.answers.replaceChildren(group);
+  tightenRow(stage);
+  return buttons;
+}
+
+/** Labels that are too long for one line get two, in the small type. */
+export function tightenRow(stage) {
+  const group = stage.answers.querySelector(".ratings");
+  if (!group) return;
+  stage.questions.hidden = false;
+  group.classList.remove("tight");
+  group.classList.toggle("tight", group.scrollWidth > group.clientWidth);
+}
+
+/** Counts frames that come late, until the picture is shown. */
+export function lateFrames(app) {
+  let late = 0;
+  let last = null;
+  return {
+    see(now) {
+      const period = 1000 / (app.screen.refreshHz() || 60);
+      if (last !== null && now - last > 1.5 * period && now - last < 1000) ++late;
+      last = now;
+    },
+    tell(now) {
+      if (late > 0) app.note("late_frames", String(late), now);
+      late = 0;
+      last = null;
+    },
+  };
+}
