@@ -5,6 +5,7 @@
 #include <map>
 
 #include "stimuli/study_file/study_file.h"
+#include "study/placement/placed_answer.h"
 #include "study/placement/quest_plus_model.h"
 #include "support/text/error.h"
 
@@ -76,8 +77,9 @@ std::vector<TrackEstimate> quest_plus_estimates(const LogContents& log) {
                          .found = "\"" + answer.stimulus_id + "\""});
     auto& [shown, answers] = trials_of[answer.participant];
     shown.push_back(found->second);
-    answers.push_back(
-        {.trial_index = answer.trial_index, .chosen_index = answer.chosen_index, .rating = answer.rating});
+    answers.push_back(placed_answer(
+        {.trial_index = answer.trial_index, .chosen_index = answer.chosen_index, .rating = answer.rating},
+        answer.right_index, answer.object_index));
   }
   std::vector<TrackEstimate> estimates;
   for (const ParticipantRecord& participant : log.participants) {

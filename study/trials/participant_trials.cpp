@@ -1,5 +1,6 @@
 #include "study/trials/participant_trials.h"
 
+#include "study/placement/placed_answer.h"
 #include "study/trials/catch_trials.h"
 #include "study/trials/stimulus_order.h"
 #include "support/arithmetic/random.h"
@@ -21,13 +22,15 @@ struct OwnTrials {
   std::vector<TrialAnswer> answers;
 };
 
-OwnTrials own_trials(const ParticipantProgress& progress) {
+OwnTrials own_trials(const TrialRules& rules, const ParticipantProgress& progress) {
   OwnTrials own;
   for (std::size_t trial = 0; trial < progress.trials.size(); ++trial) {
     if (progress.trials[trial].kind != TrialKind::stimulus) continue;
     own.stimuli.push_back(progress.trials[trial].stimulus);
     if (trial >= progress.answers.size()) continue;
-    own.answers.push_back(progress.answers[trial]);
+    const Trial& shown = progress.trials[trial];
+    const Stimulus& stimulus = rules.stimuli[static_cast<std::size_t>(shown.stimulus)];
+    own.answers.push_back(placed_answer(progress.answers[trial], shown.right_index, stimulus.object_index));
     own.answers.back().trial_index = static_cast<int>(own.answers.size()) - 1;
   }
   return own;
@@ -92,7 +95,7 @@ std::vector<Trial> decided_trials(const TrialRules& rules, int slot, std::span<c
 }
 
 TrialSequence trial_sequence(const TrialRules& rules, const ParticipantProgress& progress) {
-  const OwnTrials own = own_trials(progress);
+  const OwnTrials own = own_trials(rules, progress);
   return {.procedure = procedure_at(rules, progress.slot, own),
           .catches = catches_at(rules, progress),
           .catches_answered = static_cast<int>(progress.answers.size() - own.answers.size()),

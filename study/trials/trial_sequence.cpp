@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "study/placement/placed_answer.h"
+
 namespace seamline::study {
 namespace {
 
@@ -56,6 +58,11 @@ TrialSequence after_answer(TrialSequence trials, const TrialAnswer& answer) {
     return trials;
   }
   TrialAnswer own = answer;
+  if (const auto* quest_plus = std::get_if<QuestPlusProcedure>(&trials.procedure)) {
+    const Trial trial = current_trial(trials).value();
+    const auto& place = quest_plus->design->places[static_cast<std::size_t>(trial.stimulus)];
+    own = placed_answer(own, trial.right_index, place.object_index);
+  }
   own.trial_index = answered_trials(trials.procedure);
   trials.procedure = after_answer(std::move(trials.procedure), own);
   return trials;

@@ -93,9 +93,30 @@ TEST(StudyFileTask, RefusesWhatTheTaskCannotGive) {
   EXPECT_THAT(
       complaint_of_task("[task]\nkind = \"rating\"\nlabels = [\"a\", \"b\"]\n[catch]\nreference = 9\n"),
       HasSubstr("task.labels"));
-  EXPECT_THAT(complaint_of_task("[task]\nkind = \"pair\"\n[quest_plus]\nmax_shows_per_image = 1\n",
+  EXPECT_THAT(
+      complaint_of_task("[task]\nkind = \"pair\"\nrepetitions = 2\n[quest_plus]\nmax_shows_per_image = 1\n",
+                        "procedure = \"quest_plus\""),
+      HasSubstr("task.repetitions"));
+  EXPECT_THAT(complaint_of_task("[task]\nkind = \"pair\"\n[quest_plus]\nmax_shows_per_image = 1\n"
+                                "outcome = \"joint\"\n",
                                 "procedure = \"quest_plus\""),
-              HasSubstr("procedure"));
+              HasSubstr("quest_plus.outcome"));
+}
+
+TEST(StudyFileTask, QuestPlusKnowsTheChanceOfTheTask) {
+  const auto guess_of = [](const std::string& tables, const std::string& more = "") {
+    const StudyDefinition study = study_with_task(tables + "[quest_plus]\nmax_shows_per_image = 9\n" + more,
+                                                  "procedure = \"quest_plus\"");
+    return std::get<QuestPlusDefinition>(study.procedure).guess;
+  };
+  EXPECT_EQ(guess_of("").least, 1.0 / 3);
+  EXPECT_EQ(guess_of("[task]\nkind = \"pair\"\n").least, 0.5);
+  EXPECT_EQ(guess_of("[task]\nkind = \"pair\"\n").count, 1);
+  EXPECT_EQ(guess_of("[task]\nkind = \"interval\"\npictures = 3\n").most, 1.0 / 3);
+  EXPECT_EQ(guess_of("[task]\nkind = \"pair\"\n", "guess = { least = 0.4, most = 0.4, count = 1 }\n").least,
+            0.4);
+  // Where only reference trials tell how often people see something where nothing is, it is learnt.
+  EXPECT_GT(guess_of("[catch]\nreference = 9\n[task]\nkind = \"yes_no\"\n").count, 1);
 }
 
 }  // namespace

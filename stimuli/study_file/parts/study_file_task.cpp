@@ -77,19 +77,34 @@ TaskDefinition read_task_table(const TomlTable& table) {
   return task;
 }
 
+/// QUEST+ knows the chance of the task; where only reference trials tell it, QUEST+ learns it, too.
+void set_guess_of_task(const TomlTable& study, const TaskFacts& facts, QuestPlusDefinition& quest) {
+  if (const auto settings = study.table("quest_plus"); settings && settings->has("guess")) return;
+  quest.guess =
+      facts.right_is_yes ? ParameterRange{0.02, 0.3, 5} : ParameterRange{facts.chance, facts.chance, 1};
+}
+
+void check_quest_plus(const TomlTable& study, StudyDefinition& definition) {
+  auto* quest = std::get_if<QuestPlusDefinition>(&definition.procedure);
+  if (quest == nullptr) return;
+  const TaskDefinition& task = *definition.task;
+  const TaskFacts facts = facts_of(&task);
+  if (task.repetitions > 1)
+    throw study.complaint("task.repetitions",
+                          "1 beside procedure = \"quest_plus\", which repeats as it needs",
+                          fmt::format("{}", task.repetitions));
+  if (quest->outcome != PlacementOutcome::correct && !facts.rates)
+    throw study.complaint("quest_plus.outcome", "\"correct\" beside a [task] that asks for no rating",
+                          "\"noticeability\" or \"joint\"");
+  set_guess_of_task(study, facts, *quest);
+}
+
 /// What the study asks for beside its task, and the task cannot give.
-void check_task(const TomlTable& study, const StudyDefinition& definition) {
+void check_task(const TomlTable& study, StudyDefinition& definition) {
   const TaskDefinition& task = *definition.task;
   const std::string kind = "kind = \"" + std::string(word(task.kind)) + "\"";
   const TaskFacts facts = facts_of(&task);
-  if (!std::holds_alternative<ConstantDefinition>(definition.procedure)) {
-    if (task.repetitions > 1)
-      throw study.complaint("task.repetitions",
-                            "1 beside procedure = \"quest_plus\", which repeats as it needs",
-                            fmt::format("{}", task.repetitions));
-    if (task.kind != TaskKind::object)
-      throw study.complaint("procedure", "\"constant\" beside a [task] of " + kind, "\"quest_plus\"");
-  }
+  check_quest_plus(study, definition);
   if (facts.right_is_yes && definition.catches.reference == 0)
     throw study.complaint("catch.reference",
                           "at least one reference trial beside a [task] of " + kind +

@@ -266,6 +266,10 @@ std::optional<std::pair<int, Trial>> Intake::next_trial(const std::string& code)
   return std::pair(who.stored.place.answered, *due);
 }
 
+std::vector<Trial> Intake::pictures_of(const Trial& trial) const {
+  return shown_pictures(rules_.task, trial);
+}
+
 std::string Intake::sender_of(const std::string& message_id) {
   const std::optional<KnownMessage> known = log_.message(message_id);
   return known ? known->participant : std::string();
@@ -277,7 +281,8 @@ int Intake::attention_right(const std::string& code) {
   for (const TrialAnswer& answer : place.answers) {
     const Trial& trial = place.trials.at(static_cast<std::size_t>(answer.trial_index));
     const ManifestStimulus& shown = set_.manifest.stimuli.at(static_cast<std::size_t>(trial.stimulus));
-    if (trial.kind == TrialKind::attention && answer.chosen_index == shown.stimulus.object_index) ++right;
+    const int wanted = trial.right_index != 0 ? trial.right_index : shown.stimulus.object_index;
+    if (trial.kind == TrialKind::attention && answer.chosen_index == wanted) ++right;
   }
   return right;
 }

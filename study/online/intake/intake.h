@@ -89,6 +89,8 @@ class Intake {
   /// when the session is over. Throws Refusal when there is none of that code, they are excluded, or the
   /// study is not adaptive.
   [[nodiscard]] std::optional<std::pair<int, Trial>> next_trial(const std::string& code);
+  /// The pictures that a trial shows, side by side or one after another; one of most tasks.
+  [[nodiscard]] std::vector<Trial> pictures_of(const Trial& trial) const;
 
   /// Numbers of a participant's messages that are missing below the highest stored.
   [[nodiscard]] std::vector<std::int64_t> gaps(const std::string& code);

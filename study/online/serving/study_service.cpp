@@ -225,11 +225,19 @@ void StudyService::later(HttpRequest request, Reply reply) {
           if (!due) return answer({{"done", true}});
           const std::string kind(word(due->second.kind));
           const std::string id = intake.names().name_of(due->second);
-          const auto picture = site_.picture_of.find(kind + " " + id);
-          if (picture == site_.picture_of.end())
-            return error(500, "picture: wanted one of the page, found none");
-          Json trial = {
-              {"trial_index", due->first}, {"kind", kind}, {"stimulus_id", id}, {"picture", picture->second}};
+          Json pictures = Json::array();
+          for (const Trial& shown : intake.pictures_of(due->second)) {
+            const auto picture =
+                site_.picture_of.find(std::string(word(shown.kind)) + " " + intake.names().name_of(shown));
+            if (picture == site_.picture_of.end())
+              return error(500, "picture: wanted one of the page, found none");
+            pictures.push_back(picture->second);
+          }
+          Json trial = {{"trial_index", due->first},
+                        {"kind", kind},
+                        {"stimulus_id", id},
+                        {"picture", pictures.front()}};
+          if (pictures.size() > 1) trial["pictures"] = pictures;
           Json json;
           json["trial"] = std::move(trial);
           return answer(json);
