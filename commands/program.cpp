@@ -23,6 +23,7 @@
 #include "commands/evidence/field_command.h"
 #include "commands/evidence/marker_command.h"
 #include "commands/evidence/person_command.h"
+#include "commands/evidence/scenes_command.h"
 #include "commands/evidence/stability_command.h"
 #include "commands/former_spelling.h"
 #include "commands/options/command_help.h"
@@ -55,12 +56,13 @@ namespace {
 
 /// `lab`: what shows how well the program itself works, and what only figures of the papers need.
 void add_lab(CLI::App& app, bool& any_case_failed) {
-  CLI::App* lab = app.add_subcommand("lab", "bench, convergence, stability; marker, person, field");
+  CLI::App* lab = app.add_subcommand("lab", "bench, convergence, stability; scenes; marker, person, field");
   lab->require_subcommand(1);
   renderer::add_bench_command(*lab);
   renderer::add_convergence_command(*lab);
   renderer::add_marker_command(*lab);
   renderer::add_person_command(*lab);
+  laboratory::add_scenes_command(*lab);
   renderer::add_field_command(*lab);
   stability::add_stability_command(*lab, any_case_failed);
 }

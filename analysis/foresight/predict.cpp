@@ -53,6 +53,22 @@ double receiver_threshold(const Manifest& manifest, const VisibleDifferences& di
        .found = "none of them"});
 }
 
+SceneSpread spread_of(Artifact artifact, const char* quantity, const std::vector<CurveThresholds>& curves,
+                      ThresholdEstimate CurveThresholds::*threshold) {
+  SceneSpread spread{.artifact = artifact, .quantity = quantity, .scenes = static_cast<int>(curves.size())};
+  double squares = 0;
+  for (const CurveThresholds& curve : curves) {
+    const std::optional<double>& level_x = (curve.*threshold).level_x;
+    if (!level_x) continue;
+    ++spread.with_value;  // Welford's update
+    const double from_mean = *level_x - spread.mean_x;
+    spread.mean_x += from_mean / spread.with_value;
+    squares += from_mean * (*level_x - spread.mean_x);
+  }
+  if (spread.with_value > 1) spread.sd_x = std::sqrt(squares / (spread.with_value - 1));
+  return spread;
+}
+
 GainSource gain_source_of(const PredictionRequest& request, const ObserverDefinition& observer) {
   if (request.calibrate) return GainSource::paper;
   if (request.gain) return GainSource::given;
@@ -100,6 +116,24 @@ std::vector<PredictedArtifact> predict_artifacts(const Manifest& manifest,
     artifacts.push_back(std::move(predicted));
   }
   return artifacts;
+}
+
+std::vector<SceneSpread> scene_spreads(const Manifest& manifest, const VisibleDifferences& differences,
+                                       const ObserverDefinition& observer) {
+  std::map<std::string, Manifest> by_scene;
+  for (const ManifestStimulus& record : manifest.stimuli)
+    by_scene[record.stimulus.scene].stimuli.push_back(record);
+  std::map<Artifact, std::vector<CurveThresholds>> thresholds;
+  for (const auto& [scene, part] : by_scene)
+    for (const PredictedArtifact& artifact : predict_artifacts(part, differences, observer))
+      thresholds[artifact.artifact].push_back(artifact.thresholds);
+  std::vector<SceneSpread> spreads;
+  for (const auto& [artifact, curves] : thresholds) {
+    if (curves.size() < 2) continue;
+    spreads.push_back(spread_of(artifact, "PT", curves, &CurveThresholds::perceptual));
+    spreads.push_back(spread_of(artifact, "SN", curves, &CurveThresholds::slightly_noticeable));
+  }
+  return spreads;
 }
 
 double calibrated_gain(const Manifest& manifest, const VisibleDifferences& differences,
@@ -155,6 +189,7 @@ Prediction predict_thresholds(const PredictionRequest& request) {
         calibrated_gain(set.manifest, differences, prediction.observer,
                         paper_thresholds(Artifact::receiver).value().perceptual_px.value());
   prediction.artifacts = predict_artifacts(set.manifest, differences, prediction.observer);
+  prediction.spreads = scene_spreads(set.manifest, differences, prediction.observer);
   if (prediction.artifacts.empty())
     throw input_error({.file = (request.set_folder / "manifest.json").string(),
                        .field = "stimuli",

@@ -34,6 +34,16 @@ struct PredictedArtifact {
   CurveThresholds thresholds;        ///< without intervals
 };
 
+/// How a predicted threshold differs between the scenes of a set: each scene's own, from its own objects.
+struct SceneSpread {
+  Artifact artifact = Artifact::none;
+  std::string quantity;  ///< "PT" or "SN"
+  int scenes = 0;        ///< of the artifact, at least two
+  int with_value = 0;    ///< of those, whose threshold lies within the widths
+  double mean_x = 0;     ///< of those, mean log2 of the width
+  double sd_x = 0;       ///< their standard deviation in octaves; 0 of fewer than two
+};
+
 /// On whose eyes a prediction rests.
 enum class GainSource {
   given,      ///< with the request
@@ -48,6 +58,7 @@ struct Prediction {
   bool floor_known = false;  ///< some stimulus without a seam told what rendering noise looks like
   double highest_floor = 0;
   std::vector<PredictedArtifact> artifacts;  ///< in the order of `every_artifact`, without `none`
+  std::vector<SceneSpread> spreads = {};     ///< of artifacts with two scenes or more
 };
 
 /// Thresholds predicted from the pictures of a set alone, before anyone is asked: the functionals of
@@ -59,6 +70,11 @@ struct Prediction {
 [[nodiscard]] std::vector<PredictedArtifact> predict_artifacts(const Manifest& manifest,
                                                                const VisibleDifferences& differences,
                                                                const ObserverDefinition& observer);
+
+/// How thresholds differ between scenes, for each artifact with two scenes or more.
+[[nodiscard]] std::vector<SceneSpread> scene_spreads(const Manifest& manifest,
+                                                     const VisibleDifferences& differences,
+                                                     const ObserverDefinition& observer);
 
 /// The gain with which the receiver artifact's perceptual threshold is `receiver_px`, by bisection to 1e-9
 /// octaves (a larger gain never lowers a threshold). Throws InputError when there is none.

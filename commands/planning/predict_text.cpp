@@ -59,6 +59,26 @@ CsvTable cell_table(const Prediction& prediction) {
 /// The four artifacts of the paper by its Table 1: a dash of PT is above every width, a dash of SN below.
 constexpr const char* paper_order = "overlap, occlusion, receiver, shadow";
 
+/// What differs between scenes and between people, and what one scene says of others.
+std::string spread_text(const Prediction& prediction) {
+  if (prediction.spreads.empty())
+    return "One scene an artifact: its threshold is that scene's. What another scene needs is not known from "
+           "it.\n";
+  std::string text;
+  for (const SceneSpread& spread : prediction.spreads) {
+    text += fmt::format("{} {}: {} of {} scenes within the widths", artifact_title(spread.artifact),
+                        spread.quantity, spread.with_value, spread.scenes);
+    if (spread.with_value > 1)
+      text += fmt::format(", mean {:.0f} px, standard deviation between scenes {:.2f} octaves",
+                          std::exp2(spread.mean_x), spread.sd_x);
+    text += ".\n";
+  }
+  return text + fmt::format(
+                    "Between people {:.2f} octaves are assumed (people_sd_octaves). More people narrow one "
+                    "part, more scenes the other.\n",
+                    prediction.observer.people_sd_octaves);
+}
+
 /// On whose eyes the gain rests.
 std::string gain_text(const Prediction& prediction) {
   switch (prediction.gain_source) {
@@ -98,6 +118,7 @@ std::string prediction_text(const Prediction& prediction) {
       prediction.observer.pixels_per_degree, pooling_exponent, prediction.observer.image_gain.value(),
       1 / prediction.observer.image_gain.value());
   text += gain_text(prediction);
+  text += spread_text(prediction);
   text += prediction.floor_known
               ? fmt::format("Floor: the difference of stimuli without a seam (none), at most {:.4g}.\n",
                             prediction.highest_floor)

@@ -1,6 +1,7 @@
 #include <Eigen/Geometry>
 
 #include "scenes/rooms/backgrounds.h"
+#include "scenes/rooms/plans.h"
 #include "scenes/shapes/solids.h"
 
 namespace seamline::scenes {
@@ -8,11 +9,6 @@ namespace bedroom_parts {
 namespace {
 
 using Vector3d = Eigen::Vector3d;
-
-constexpr double back_z_m = -6.15;
-constexpr double right_x_m = 3.9;
-constexpr double left_x_m = -3.9;
-constexpr double wall_height_m = 3.1;
 
 void add(SceneContents& room, const std::string& name, const std::vector<TriangleMesh>& pieces) {
   TriangleMesh whole;
@@ -27,109 +23,124 @@ TriangleMesh piece(double x_m, double z_m, double bottom_m, const Vector3d& size
   return box(base - half, base + half + Vector3d(0, size_m.y(), 0));
 }
 
-/// The left side is open from its stub of wall to the front; the sun comes in there.
-void add_shell(SceneContents& room, double front_z_m) {
-  add(room, "floor", {box({left_x_m, -0.1, back_z_m}, {right_x_m, 0, front_z_m})});
-  add(room, "wall_back", {box({left_x_m, 0, back_z_m - 0.1}, {right_x_m, wall_height_m, back_z_m})});
-  add(room, "wall_right", {box({right_x_m, 0, back_z_m}, {right_x_m + 0.1, wall_height_m, front_z_m})});
-  add(room, "wall_front", {box({left_x_m, 0, front_z_m}, {right_x_m, 2.6, front_z_m + 0.1})});
-  add(room, "wall_left", {box({left_x_m - 0.1, 0, back_z_m}, {left_x_m, wall_height_m, back_z_m + 1.0})});
-  add(room, "sill", {box({left_x_m - 0.15, 0, back_z_m + 1.0}, {left_x_m, 0.1, front_z_m})});
-  add(room, "skirting",
-      {box({left_x_m, 0, back_z_m}, {right_x_m, 0.09, back_z_m + 0.02}),
-       box({right_x_m - 0.02, 0, back_z_m}, {right_x_m, 0.09, front_z_m})});
-}
+struct RoomBuilder : RoomPlan {
+  /// The left side is open from its stub of wall to the front; the sun comes in there.
+  void add_shell(SceneContents& room) const {
+    add(room, "floor", {box({left_x_m, -0.1, back_z_m}, {right_x_m, 0, front_z_m})});
+    add(room, "wall_back", {box({left_x_m, 0, back_z_m - 0.1}, {right_x_m, wall_height_m, back_z_m})});
+    add(room, "wall_right", {box({right_x_m, 0, back_z_m}, {right_x_m + 0.1, wall_height_m, front_z_m})});
+    add(room, "wall_front", {box({left_x_m, 0, front_z_m}, {right_x_m, 2.6, front_z_m + 0.1})});
+    add(room, "wall_left", {box({left_x_m - 0.1, 0, back_z_m}, {left_x_m, wall_height_m, back_z_m + 1.0})});
+    add(room, "sill", {box({left_x_m - 0.15, 0, back_z_m + 1.0}, {left_x_m, 0.1, front_z_m})});
+    add(room, "skirting",
+        {box({left_x_m, 0, back_z_m}, {right_x_m, 0.09, back_z_m + 0.02}),
+         box({right_x_m - 0.02, 0, back_z_m}, {right_x_m, 0.09, front_z_m})});
+  }
 
-/// It stands lengthwise along the back wall, its head to the right.
-void add_bed(SceneContents& room) {
-  const double x = -0.3;
-  const double z = back_z_m + 0.52;
-  add(room, "bed", {piece(x, z, 0, {2.2, 0.42, 0.98}), piece(x - 0.3, z, 0.42, {1.6, 0.05, 1.0})});
-  add(room, "headboard", {piece(x + 1.13, z, 0, {0.08, 0.85, 1.02})});
-  add(room, "pillow", {piece(x + 0.8, z - 0.08, 0.42, {0.42, 0.13, 0.6})});
-}
+  /// It stands lengthwise along the back wall, its head to the right.
+  void add_bed(SceneContents& room) const {
+    const double x = bed_x_m;
+    const double z = back_z_m + 0.52;
+    add(room, "bed",
+        {piece(x, z, 0, {2.2, bed_height_m, 0.98}), piece(x - 0.3, z, bed_height_m, {1.6, 0.05, 1.0})});
+    add(room, "headboard", {piece(x + 1.13, z, 0, {0.08, headboard_m, 1.02})});
+    add(room, "pillow", {piece(x + 0.8, z - 0.08, bed_height_m, {0.42, 0.13, 0.6})});
+  }
 
-/// That of the first version has feet, two pillows and a plain frame.
-void add_first_bed(SceneContents& room) {
-  const double x = 0.1;
-  const double z = back_z_m + 0.52;
-  add(room, "bed",
-      {piece(x, z, 0.12, {2.2, 0.16, 0.98}), piece(x, z, 0.28, {2.12, 0.17, 0.92}),
-       piece(x - 1.02, z + 0.43, 0, {0.1, 0.14, 0.1}), piece(x + 1.02, z + 0.43, 0, {0.1, 0.14, 0.1}),
-       piece(x - 0.42, z, 0.43, {1.3, 0.06, 0.97}), piece(x - 1.11, z, 0, {0.07, 0.55, 1.0})});
-  add(room, "headboard", {piece(x + 1.13, z, 0, {0.08, 0.85, 1.02})});
-  add(room, "pillow_front", {piece(x + 0.8, z + 0.22, 0.45, {0.42, 0.13, 0.42})});
-  add(room, "pillow_back", {piece(x + 0.8, z - 0.23, 0.45, {0.42, 0.13, 0.42})});
-}
+  /// That of the first version has feet, two pillows and a plain frame.
+  void add_first_bed(SceneContents& room) const {
+    const double x = 0.1;
+    const double z = back_z_m + 0.52;
+    add(room, "bed",
+        {piece(x, z, 0.12, {2.2, 0.16, 0.98}), piece(x, z, 0.28, {2.12, 0.17, 0.92}),
+         piece(x - 1.02, z + 0.43, 0, {0.1, 0.14, 0.1}), piece(x + 1.02, z + 0.43, 0, {0.1, 0.14, 0.1}),
+         piece(x - 0.42, z, 0.43, {1.3, 0.06, 0.97}), piece(x - 1.11, z, 0, {0.07, 0.55, 1.0})});
+    add(room, "headboard", {piece(x + 1.13, z, 0, {0.08, 0.85, 1.02})});
+    add(room, "pillow_front", {piece(x + 0.8, z + 0.22, 0.45, {0.42, 0.13, 0.42})});
+    add(room, "pillow_back", {piece(x + 0.8, z - 0.23, 0.45, {0.42, 0.13, 0.42})});
+  }
 
-/// A chest of drawers: a carcass, and fronts that stand out a little.
-TriangleMesh chest_of_drawers(double x, double z, const Vector3d& size, int drawers) {
-  TriangleMesh mesh = piece(x, z, 0, size);
-  const double step = (size.y() - 0.06) / drawers;
-  for (int i = 0; i < drawers; ++i)
-    append(mesh, piece(x, z + size.z() / 2 + 0.01, 0.05 + i * step, {size.x() * 0.92, step - 0.04, 0.025}));
-  return mesh;
-}
+  /// A chest of drawers: a carcass, and fronts that stand out a little.
+  TriangleMesh chest_of_drawers(double x, double z, const Vector3d& size, int drawers) const {
+    TriangleMesh mesh = piece(x, z, 0, size);
+    const double step = (size.y() - 0.06) / drawers;
+    for (int i = 0; i < drawers; ++i)
+      append(mesh, piece(x, z + size.z() / 2 + 0.01, 0.05 + i * step, {size.x() * 0.92, step - 0.04, 0.025}));
+    return mesh;
+  }
 
-void add_wardrobe(SceneContents& room) {
-  add(room, "wardrobe",
-      {piece(-3.25, back_z_m + 0.27, 0, {1.2, 2.25, 0.52}),
-       piece(-3.55, back_z_m + 0.54, 0.1, {0.55, 2.05, 0.03}),
-       piece(-2.95, back_z_m + 0.54, 0.1, {0.55, 2.05, 0.03}),
-       piece(-3.25, back_z_m + 0.27, 2.25, {1.3, 0.08, 0.58})});
-}
+  void add_wardrobe(SceneContents& room) const {
+    add(room, "wardrobe",
+        {piece(wardrobe_x_m, back_z_m + 0.27, 0, {1.2, 2.25, 0.52}),
+         piece(wardrobe_x_m - 0.3, back_z_m + 0.54, 0.1, {0.55, 2.05, 0.03}),
+         piece(wardrobe_x_m + 0.3, back_z_m + 0.54, 0.1, {0.55, 2.05, 0.03}),
+         piece(wardrobe_x_m, back_z_m + 0.27, 2.25, {1.3, 0.08, 0.58})});
+  }
 
-void add_shelf(SceneContents& room) {
-  add(room, "shelf",
-      {piece(0.35, back_z_m + 0.14, 1.5, {1.5, 0.05, 0.28}),
-       piece(0.35, back_z_m + 0.14, 1.88, {1.5, 0.05, 0.28}),
-       piece(-0.38, back_z_m + 0.14, 1.5, {0.05, 0.43, 0.28}),
-       piece(1.08, back_z_m + 0.14, 1.5, {0.05, 0.43, 0.28})});
-  std::vector<TriangleMesh> books;
-  for (int i = 0; i < 11; ++i)
-    books.push_back(piece(-0.28 + 0.085 * i, back_z_m + 0.12, 1.55, {0.06, 0.2 + 0.02 * (i * 5 % 4), 0.19}));
-  add(room, "books", books);
-}
+  void add_shelf(SceneContents& room) const {
+    const double move_x = shelf_x_m - 0.35;
+    add(room, "shelf",
+        {piece(move_x + 0.35, back_z_m + 0.14, shelf_height_m, {1.5, 0.05, 0.28}),
+         piece(move_x + 0.35, back_z_m + 0.14, shelf_height_m + 0.38, {1.5, 0.05, 0.28}),
+         piece(move_x - 0.38, back_z_m + 0.14, shelf_height_m, {0.05, 0.43, 0.28}),
+         piece(move_x + 1.08, back_z_m + 0.14, shelf_height_m, {0.05, 0.43, 0.28})});
+    std::vector<TriangleMesh> row;
+    for (int i = 0; i < books; ++i)
+      row.push_back(piece(move_x - 0.28 + 0.085 * i, back_z_m + 0.12, shelf_height_m + 0.05,
+                          {0.06, 0.2 + 0.02 * (i * 5 % 4), 0.19}));
+    add(room, "books", row);
+  }
 
-void add_furniture(SceneContents& room) {
-  add_bed(room);
-  add_wardrobe(room);
-  add(room, "chest", {piece(3.0, back_z_m + 0.3, 0, {1.8, 0.5, 0.6})});
-  add_shelf(room);
-  add(room, "stool",
-      {piece(0.0, -4.86, 0.28, {1.1, 0.06, 0.5}), piece(-0.48, -4.86, 0, {0.07, 0.28, 0.44}),
-       piece(0.48, -4.86, 0, {0.07, 0.28, 0.44}), piece(0.0, -4.86, 0.1, {0.9, 0.05, 0.08})});
-  add(room, "albums", {piece(0.36, -4.86, 0.34, {0.36, 0.07, 0.4})});
-}
+  void add_furniture(SceneContents& room) const {
+    add_bed(room);
+    add_wardrobe(room);
+    add(room, "chest", {piece(chest_x_m, back_z_m + 0.3, 0, {chest_width_m, chest_height_m, 0.6})});
+    add_shelf(room);
+    add(room, "stool",
+        {piece(stool_x_m, stool_z_m, stool_height_m, {1.1, 0.06, 0.5}),
+         piece(stool_x_m - 0.48, stool_z_m, 0, {0.07, stool_height_m, 0.44}),
+         piece(stool_x_m + 0.48, stool_z_m, 0, {0.07, stool_height_m, 0.44}),
+         piece(stool_x_m, stool_z_m, 0.1, {0.9, 0.05, 0.08})});
+    add(room, "albums", {piece(stool_x_m + 0.36, stool_z_m, stool_height_m + 0.06, {0.36, 0.07, 0.4})});
+  }
 
-void add_first_furniture(SceneContents& room) {
-  add_first_bed(room);
-  add_wardrobe(room);
-  add(room, "chest", {chest_of_drawers(2.75, back_z_m + 0.3, {1.25, 0.5, 0.5}, 2)});
-  add(room, "box", {piece(3.1, back_z_m + 0.24, 0.5, {0.4, 0.24, 0.3})});
-  add_shelf(room);
-  add(room, "stool",
-      {piece(0.0, -4.58, 0.28, {1.1, 0.06, 0.5}), piece(-0.48, -4.58, 0, {0.07, 0.28, 0.44}),
-       piece(0.48, -4.58, 0, {0.07, 0.28, 0.44}), piece(0.0, -4.58, 0.1, {0.9, 0.05, 0.08})});
-  add(room, "albums",
-      {piece(0.38, -4.74, 0.34, {0.26, 0.06, 0.3}), piece(0.37, -4.75, 0.40, {0.22, 0.05, 0.25}),
-       piece(0.39, -4.74, 0.45, {0.19, 0.05, 0.21})});
-}
+  void add_first_furniture(SceneContents& room) const {
+    add_first_bed(room);
+    add_wardrobe(room);
+    add(room, "chest", {chest_of_drawers(2.75, back_z_m + 0.3, {1.25, 0.5, 0.5}, 2)});
+    add(room, "box", {piece(3.1, back_z_m + 0.24, 0.5, {0.4, 0.24, 0.3})});
+    add_shelf(room);
+    add(room, "stool",
+        {piece(0.0, -4.58, 0.28, {1.1, 0.06, 0.5}), piece(-0.48, -4.58, 0, {0.07, 0.28, 0.44}),
+         piece(0.48, -4.58, 0, {0.07, 0.28, 0.44}), piece(0.0, -4.58, 0.1, {0.9, 0.05, 0.08})});
+    add(room, "albums",
+        {piece(0.38, -4.74, 0.34, {0.26, 0.06, 0.3}), piece(0.37, -4.75, 0.40, {0.22, 0.05, 0.25}),
+         piece(0.39, -4.74, 0.45, {0.19, 0.05, 0.21})});
+  }
+
+  SceneContents room() const {
+    SceneContents room;
+    add_shell(room);
+    first_version ? add_first_furniture(room) : add_furniture(room);
+    room.camera = camera;
+    room.sun = sun;
+    return room;
+  }
+};
 
 }  // namespace
 }  // namespace bedroom_parts
 
+SceneContents make_room(const RoomPlan& plan) {
+  return bedroom_parts::RoomBuilder{plan}.room();
+}
+
 SceneContents make_bedroom(RoomVersion version) {
-  using namespace bedroom_parts;
-  const bool first = version == RoomVersion::first;
-  SceneContents room;
-  add_shell(room, first ? 3.0 : 3.8);
-  first ? add_first_furniture(room) : add_furniture(room);
-  room.camera = SceneCamera{
-      .position_m = {0, 1.9, 0.1}, .look_at_m = {0, 0.85, -5}, .vertical_fov_rad = first ? 0.64 : 0.78};
-  room.sun = first ? SceneSun{.to_sun = Vector3d(-0.68, 0.32, 0.645).normalized(), .irradiance_w_m2 = 4.0}
-                   : SceneSun{.to_sun = Vector3d(-0.62, 0.30, 0.72).normalized(), .irradiance_w_m2 = 2.75};
-  return room;
+  if (version == RoomVersion::today) return make_room({});
+  RoomPlan plan{.front_z_m = 3.0, .first_version = true};
+  plan.camera.vertical_fov_rad = 0.64;
+  plan.sun = {.to_sun = Eigen::Vector3d(-0.68, 0.32, 0.645).normalized(), .irradiance_w_m2 = 4.0};
+  return make_room(plan);
 }
 
 }  // namespace seamline::scenes
