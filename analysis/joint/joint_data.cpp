@@ -98,7 +98,9 @@ JointData joint_data(const GuessTrials& trials, const LevelAxis& axis, const Gue
                           .x = stands_apart(axis, cell.level) ? infinity : x_of(axis, cell.level),
                           .chance = chance_of_cell(counts, guessers)});
   }
-  for (int place = 0; place < answers_of_trial; ++place)
+  // Without ratings references say nothing of how guessers rate, but of yes or no what chance is.
+  const bool says_something = trials.task.rates || trials.task.right_is_yes;
+  for (int place = 0; says_something && place < answers_of_trial; ++place)
     data.references.col(std::min<Eigen::Index>(place % study::highest_rating, data.ratings - 1)) +=
         trials.references.col(place);
   return data;

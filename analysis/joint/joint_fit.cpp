@@ -64,8 +64,8 @@ bool above_chance(const std::vector<double>& excess) {
 }
 
 /// One-sided binomial test (normal approximation) of the same. Where nobody sees anything people differ by
-/// chance alone, so it holds for any number of them. Chance that rests on reference trials has their
-/// variance.
+/// chance alone, so it holds for any number of them. Chance that may rest on reference trials
+/// (`joint_data`) has their variance.
 bool answers_above_chance(const JointData& data, const CurveTally& tally) {
   const double answers = tally.right + tally.wrong, references = data.references.sum();
   const double variance = tally.variance * (references > 0 ? 1 + answers / references : 1);

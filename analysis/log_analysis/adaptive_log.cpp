@@ -53,8 +53,9 @@ JointData placed_data(const Analysis& analysis) {
     data.answers(row->second, cell->second * data.cell_counts() + (answer.correct() ? 0 : data.ratings) +
                                   std::min(answer.rating, data.ratings) - 1) += 1;
   }
+  const bool says_something = task.rates || task.right_is_yes;  // as in `joint_data`
   for (const ReferenceAnswer& reference : analysis.options.references)
-    if (const auto row = row_of.find(reference.participant); row != row_of.end())
+    if (const auto row = row_of.find(reference.participant); says_something && row != row_of.end())
       data.references(row->second, std::min(reference.rating, data.ratings) - 1) += 1;
   return data;
 }

@@ -54,6 +54,11 @@ TEST(TaskReport, TwoPeopleWhoSeeAreNotSaidToBeAtChance) {
   const auto guessing = task_study(pair_of_repetitions, study::ObserverKind::guesser, 2);
   for (const CurveVerdict verdict : guessing->analysis.joint->fit.curves)
     EXPECT_EQ(verdict, CurveVerdict::at_chance) << word(verdict);
+  // A few reference trials say nothing of the chance of a forced choice.
+  const auto with_references = task_study("[catch]\nreference = 1\n" + std::string(pair_of_repetitions),
+                                          study::ObserverKind::threshold, 2);
+  for (const CurveVerdict verdict : with_references->analysis.joint->fit.curves)
+    EXPECT_EQ(verdict, CurveVerdict::estimated) << word(verdict);
 }
 
 TEST(TaskReport, WithoutRatingsThereIsDetectionAlone) {
