@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "raytracer/scene/eyes.h"
+#include "raytracer/scene/lit_parts.h"
 #include "raytracer/scene/resting_object.h"
 #include "support/arithmetic/units.h"
 #include "support/text/error.h"
@@ -284,6 +285,7 @@ TruthScene load_truth_scene(const SceneDefinition& definition, int width_px, int
   note_left_out(background, unused_of_scene(definition, background), scene);
   scene.background =
       place_meshes(background, Eigen::Affine3d::Identity(), scene.camera_position_m, definition.albedo, 0);
+  if (!definition.ambient_occlusion) cut_where_lit(scene.background);
   if (!definition.ambient_occlusion) add_glowing(scene.background, scene.light);
   for (std::size_t i = 0; i < definition.objects.size() && i < scene.objects.size(); ++i) {
     const ObjectDefinition& object = definition.objects[i];
