@@ -6,6 +6,7 @@
 #include "renderer/estimators/estimator.h"
 #include "renderer/estimators/fast/fast_stimulus.h"
 #include "renderer/estimators/fast/fast_truth_pass.h"
+#include "renderer/estimators/fast/photograph_error.h"
 #include "renderer/estimators/fast/scene_sums_bytes.h"
 #include "renderer/estimators/fast/truth_sums.h"
 #include "renderer/estimators/seen_emission.h"
@@ -160,7 +161,7 @@ class FastEstimator : public SceneEstimator {
     }
     for (int k = 1; k <= 3; ++k)  // those never looked at, because the first object never was good enough
       if (judged_.error(k).tiles.empty())
-        judged_.error(k) = error_with(k, judged_.strength, half_pictures(k, no_filter));
+        judged_.error(k) = error_with(k, judged_.strength, photograph(k, no_filter));
     scene_geometry_.reset();
   }
 
@@ -181,7 +182,7 @@ class FastEstimator : public SceneEstimator {
   [[nodiscard]] PhotographJudgement judge(const PhotographJudgement& before, int first,
                                           const std::optional<ErrorTarget>& target) const {
     PhotographJudgement out = before;
-    const std::array<Image, 2> sampled = half_pictures(first, no_filter);
+    const PhotographHalves sampled = photograph(first, no_filter);
     const auto is_good = [&](int object) { return !target || target->met_by(out.error(object)); };
     std::tie(out.error(first), out.strength) = choose_strength(first, sampled, before.strength);
     if (!is_good(first)) {
@@ -201,7 +202,7 @@ class FastEstimator : public SceneEstimator {
 
   /// The strength with the least estimated error, from `strength` towards weaker ones, and that error.
   [[nodiscard]] std::pair<ErrorEstimate, std::size_t> choose_strength(int object_index,
-                                                                      const std::array<Image, 2>& sampled,
+                                                                      const PhotographHalves& sampled,
                                                                       std::size_t strength) const {
     ErrorEstimate best = error_with(object_index, strength, sampled);
     for (; strength > 0; --strength) {
@@ -213,19 +214,16 @@ class FastEstimator : public SceneEstimator {
   }
 
   [[nodiscard]] ErrorEstimate error_with(int object_index, std::size_t strength,
-                                         const std::array<Image, 2>& sampled) const {
-    return estimate_error(
-        {.filtered = strength == 0 ? sampled : half_pictures(object_index, choices_.filters[strength]),
-         .sampled = sampled},
-        scene_.definition.exposure_ev, threads_, sums_.grid.wraps);
+                                         const PhotographHalves& sampled) const {
+    return photograph_error(strength == 0 ? sampled : photograph(object_index, choices_.filters[strength]),
+                            sampled, scene_.definition.exposure_ev, threads_, sums_.grid.wraps);
   }
 
   [[nodiscard]] const FilterStrength& filter() const { return choices_.filters[judged_.strength]; }
 
-  /// The reference from each half of the samples; the sums are gone when it returns.
-  [[nodiscard]] std::array<Image, 2> half_pictures(int object_index, const FilterStrength& strength) const {
-    const TruthSums sums = truth_sums_of(object_index, strength);
-    return {half_reference_image(sums, 0), half_reference_image(sums, 1)};
+  /// The sums are gone when it returns.
+  [[nodiscard]] PhotographHalves photograph(int object_index, const FilterStrength& strength) const {
+    return photograph_halves(truth_sums_of(object_index, strength));
   }
 
   [[nodiscard]] TruthSums truth_sums_of(int object_index, const FilterStrength& strength) const {

@@ -4,6 +4,7 @@
 
 #include "renderer/estimators/fast/next_round.h"
 #include "renderer/estimators/fast/object_noise.h"
+#include "renderer/estimators/fast/sample_response.h"
 #include "renderer/estimators/fast/stimulus_assembly.h"
 #include "renderer/picture/composite.h"
 
@@ -69,8 +70,13 @@ class StimulusRounds {
         if (wanted.object == depth_.spp.object) break;
         continue;
       }
+      learn_response(out.error);
       const NextRound plan = plan_more(judged.judgement, round);
-      for (const std::size_t tile : plan.unfiltered) filtered_[tile] = 0;
+      for (const std::size_t tile : plan.unfiltered) {
+        filtered_[tile] = 0;
+        for (const int block : blocks_of(depth_.grid, static_cast<int>(tile)))
+          response_.forget(static_cast<std::size_t>(block));
+      }
       wanted = with_plan(plan, wanted);
       const bool gains = !plan.unfiltered.empty() || wanted.uncovered != depth_.spp.uncovered ||
                          wanted.object != depth_.spp.object;
@@ -206,17 +212,28 @@ class StimulusRounds {
     return !options_.target || options_.target->met_by(error);
   }
 
+  [[nodiscard]] const std::vector<int>& asked_spp() const {
+    return lights_uncovered() ? depth_.spp.uncovered : depth_.spp.object;
+  }
+  void learn_response(const ErrorEstimate& error) {
+    std::vector<double> noise;
+    for (std::size_t b = 0; b < error.blocks.size(); ++b)
+      noise.push_back(std::max(0.0, error.blocks[b].noise - truth_.error.blocks[b].noise));
+    response_.learn(asked_spp(), noise, truth_.scene_sums.spp);
+  }
+
   /// What each block should have next, and which tiles go without the filter.
   [[nodiscard]] NextRound plan_more(const StimulusJudgement& judged, int round) const {
     return next_round({.grid = depth_.grid,
                        .photograph = truth_.error,
                        .photograph_spp = truth_.scene_sums.spp,
-                       .asked_spp = lights_uncovered() ? depth_.spp.uncovered : depth_.spp.object,
+                       .asked_spp = asked_spp(),
                        .filtered = filtered_,
                        .judged = judged,
                        .target = *options_.target,
                        .choices = choices_,
-                       .round = round});
+                       .round = round,
+                       .stays = &response_.stays()});
   }
   /// Samples are added off the object, and on it where nothing else is asked for.
   [[nodiscard]] DepthSamples with_plan(const NextRound& plan, DepthSamples wanted) const {
@@ -317,6 +334,7 @@ class StimulusRounds {
   ObjectOrder order_;
   std::vector<char> shows_object_;  ///< a flag a pixel
   TileSet filtered_;                ///< tiles where light of the depth mesh is filtered
+  SampleResponse response_;
 };
 
 }  // namespace

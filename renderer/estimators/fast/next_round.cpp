@@ -87,7 +87,8 @@ class RoundChooser {
       const int tile = tile_of_block(state_.grid, static_cast<int>(b));
       const bool is_without = without[static_cast<std::size_t>(tile)] != 0;
       const double noise = (is_without ? unfiltered() : error_).blocks[b].noise;
-      const double of_photograph = std::min(photograph_.blocks[b].noise, noise);
+      const double of_photograph =
+          std::min(photograph_.blocks[b].noise + (state_.stays != nullptr ? (*state_.stays)[b] : 0), noise);
       const int spp = state_.asked_spp[b], photograph_spp = state_.photograph_spp[b];
       out.blocks.push_back(
           {.noise = noise - of_photograph,

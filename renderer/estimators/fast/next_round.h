@@ -25,6 +25,8 @@ struct StimulusState {
   const ErrorTarget& target;
   const EstimatorChoices& choices;
   int round = 0;  ///< those before it
+  /// Of each block: squared noise beyond the photograph's that samples do not lower; null: not known.
+  const std::vector<double>* stays = nullptr;
 };
 
 struct NextRound {
