@@ -8,6 +8,7 @@
 #include "raytracer/scene/visible_objects.h"
 #include "renderer/estimators/estimator.h"
 #include "renderer/picture/composite.h"
+#include "renderer/picture/rare_light.h"
 #include "sets/clips/set_clips.h"
 #include "sets/contact_sheet.h"
 #include "sets/render_plan.h"
@@ -289,7 +290,11 @@ class SetRenderer {
       write_layers({request_.set_folder, work.stimulus, work.inputs}, scene, geometry,
                    {estimator.truth(), made.sums, composite});
     records_.finish(record, work.inputs);
-    timings_.add(id, watch.seconds(), made.sums.rays, made.worst_tile);
+    ErrorNotes notes{.worst_tile = made.worst_tile};
+    if (request_.error)
+      notes.rare_light =
+          rare_light_share(made.sums, composite.picture, scene.definition.exposure_ev, threads_);
+    timings_.add(id, watch.seconds(), made.sums.rays, notes);
     ++summary_.rendered;
     if (mark_) mark_->finished_one();
   }

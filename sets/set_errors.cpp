@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
+#include "renderer/picture/rare_light.h"
 #include "support/files/atomic_file.h"
 #include "support/text/text_bounds.h"
 
@@ -17,7 +19,7 @@ using Json = nlohmann::ordered_json;
 struct Piece {
   double seconds = 0;
   std::int64_t rays = 0;
-  std::optional<double> worst_tile = {};
+  std::optional<double> worst_tile = {}, rare_light = {};
 };
 using Pieces = std::map<std::string, Piece>;
 
@@ -37,6 +39,7 @@ Pieces read_timings(const std::filesystem::path& set_folder, SetErrors& errors) 
       for (const auto& [piece, line] : lines.items()) {
         Piece& read = pieces[piece] = {line.at("seconds").get<double>(), line.at("rays").get<std::int64_t>()};
         if (line.contains("worst_tile")) read.worst_tile = line["worst_tile"].get<double>();
+        if (line.contains("rare_light")) read.rare_light = line["rare_light"].get<double>();
       }
     } catch (const Json::exception&) {
       continue;
@@ -98,10 +101,12 @@ SetErrors read_set_errors(const std::filesystem::path& set_folder) {
                          .spp = record.spp,
                          .estimated = record.rmse,
                          .estimated_worst_tile = {},
+                         .rare_light = {},
                          .measured = {}};
     if (const auto found = pieces.find(record.id); found != pieces.end()) {
       row.seconds = found->second.seconds;
       row.estimated_worst_tile = found->second.worst_tile;
+      row.rare_light = found->second.rare_light;
       errors.seconds.stimuli += found->second.seconds;
     }
     if (const auto found = measured.find(record.id);
@@ -113,6 +118,13 @@ SetErrors read_set_errors(const std::filesystem::path& set_folder) {
   return errors;
 }
 
+/// Why a stimulus ended above the error that was asked for.
+static std::string_view reason(const StimulusErrorRow& row) {
+  constexpr int most_spp = 1 << 14;
+  return row.spp >= most_spp ? "its pixels have all the samples that they may have"
+                             : "more samples of the depth mesh did not lower it";
+}
+
 static constexpr double rounded_in_files = 1e-3;  ///< relative, of errors in manifest and timings
 
 std::vector<std::string> sentences_on_missed(const SetErrors& errors, double asked) {
@@ -122,14 +134,27 @@ std::vector<std::string> sentences_on_missed(const SetErrors& errors, double ask
     const double reached = row.estimated.value_or(0), worst_tile = row.estimated_worst_tile.value_or(0);
     if (std::max(reached, worst_tile / 3) <= asked * (1 + rounded_in_files)) continue;
     if (++missed <= 3)
-      examples += fmt::format("{}{} ({:.4f}, worst tile {:.4f})", missed > 1 ? ", " : "", row.id, reached,
-                              worst_tile);
+      examples += fmt::format("{}{} ({:.4f}, worst tile {:.4f}; {})", missed > 1 ? ", " : "", row.id, reached,
+                              worst_tile, reason(row));
   }
   if (missed == 0) return {};
   return {fmt::format(
       "The error that was asked for, {:g} (worst tile {:g}), was not reached by {} of {} stimuli: {}{}. "
       "errors.html lists all.",
       asked, 3 * asked, missed, errors.rows.size(), examples, missed > 3 ? " ..." : "")};
+}
+
+std::vector<std::string> sentences_on_rare_light(const SetErrors& errors) {
+  std::string examples;
+  int rare = 0;
+  for (const StimulusErrorRow& row : errors.rows)
+    if (row.rare_light.value_or(0) > much_rare_light && ++rare <= 3)
+      examples += fmt::format("{}{} ({:.0f} %)", rare > 1 ? ", " : "", row.id, 100 * *row.rare_light);
+  if (rare == 0) return {};
+  return {fmt::format(
+      "Rare bright light: half or more of the estimated error of {} of {} stimuli is in one pixel of 500: {}{}. "
+      "Other pixels may not have met that light yet, so these errors may be too low; --true-error measures them.",
+      rare, errors.rows.size(), examples, rare > 3 ? " ..." : "")};
 }
 
 CsvTable errors_table(const SetErrors& errors) {
@@ -141,6 +166,8 @@ CsvTable errors_table(const SetErrors& errors) {
                   {"samples", "per pixel", "sub-pixel samples"},
                   {"estimated_error", "display units", "estimated RMSE, noise and bias"},
                   {"estimated_worst_tile", "display units", "the same in the worst 32 x 32 tile"},
+                  {"rare_light", "share",
+                   "of the estimated noise in one pixel of 500; above 0.5 it may be too low"},
                   {"true_error", "display units", "RMSE against the path estimator, without its noise"},
                   {"true_standard_error", "display units", "of the true error as measured"},
                   {"true_worst_tile", "display units", "true error in the worst 32 x 32 tile"},
@@ -152,7 +179,8 @@ CsvTable errors_table(const SetErrors& errors) {
                                    static_cast<double>(row.rays) * 1e-6,
                                    std::int64_t{row.spp},
                                    cell(row.estimated),
-                                   cell(row.estimated_worst_tile)};
+                                   cell(row.estimated_worst_tile),
+                                   cell(row.rare_light)};
     if (const auto& m = row.measured)
       for (CsvValue value : {CsvValue(m->rmse), CsvValue(m->standard_error), CsvValue(m->worst_tile),
                              CsvValue(std::int64_t{m->reference_spp})})

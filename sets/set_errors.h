@@ -19,6 +19,7 @@ struct StimulusErrorRow {
   std::int64_t rays = 0;
   int spp = 0;
   std::optional<double> estimated, estimated_worst_tile;
+  std::optional<double> rare_light;  ///< `rare_light_share`
   std::optional<TrueErrorRecord> measured;
 };
 
@@ -52,6 +53,10 @@ struct SetErrors {
 /// that in its worst tile), which ones and by how much. More samples do not lower every error, and a picture
 /// gets only so many. Empty where none did.
 [[nodiscard]] std::vector<std::string> sentences_on_missed(const SetErrors& errors, double asked);
+
+/// Which stimuli's estimated errors hang on a few pixels (`much_rare_light`), and what to do. Empty where
+/// none do.
+[[nodiscard]] std::vector<std::string> sentences_on_rare_light(const SetErrors& errors);
 
 /// One row a stimulus.
 [[nodiscard]] CsvTable errors_table(const SetErrors& errors);

@@ -27,7 +27,8 @@ void Timings::write(double total_seconds) const {
   if (!pieces_.empty()) json["seconds"] = total_seconds;
   for (const Piece& piece : pieces_) {
     Json& line = json["pieces"][piece.name] = {{"seconds", piece.seconds}, {"rays", piece.rays}};
-    if (piece.worst_tile) line["worst_tile"] = *piece.worst_tile;
+    if (piece.notes.worst_tile) line["worst_tile"] = *piece.notes.worst_tile;
+    if (piece.notes.rare_light) line["rare_light"] = *piece.notes.rare_light;
   }
   write_file_atomically(path_, json.dump(1) + "\n");
 }

@@ -7,6 +7,12 @@
 
 namespace seamline::renderer {
 
+/// What else is known of a stimulus' estimated error.
+struct ErrorNotes {
+  std::optional<double> worst_tile = {};
+  std::optional<double> rare_light = {};  ///< `rare_light_share`, where an error was asked for
+};
+
 /// `SET/timings.json`: how long each piece of a set took, on which machine, and a stimulus' estimated error
 /// in its worst tile. Not part of the manifest, because it differs from run to run.
 class Timings {
@@ -15,9 +21,8 @@ class Timings {
   /// rendered at once; `part` is empty for the whole.
   Timings(const std::filesystem::path& set_folder, int threads, const std::string& part)
       : path_(set_folder / ("timings" + (part.empty() ? part : "-" + part) + ".json")), threads_(threads) {}
-  void add(const std::string& piece, double seconds, std::int64_t rays,
-           std::optional<double> worst_tile = {}) {
-    pieces_.push_back({piece, seconds, rays, worst_tile});
+  void add(const std::string& piece, double seconds, std::int64_t rays, const ErrorNotes& notes = {}) {
+    pieces_.push_back({piece, seconds, rays, notes});
   }
   /// Adds this run's pieces to those of earlier runs, newer ones replacing older.
   void write(double total_seconds) const;
@@ -27,7 +32,7 @@ class Timings {
     std::string name;
     double seconds;
     std::int64_t rays;
-    std::optional<double> worst_tile;
+    ErrorNotes notes;
   };
   std::filesystem::path path_;
   int threads_;

@@ -73,6 +73,13 @@ std::string row_text(const StimulusErrorRow& row) {
       m ? fmt::format("{:.4f}", m->worst_tile) : "&ndash;");
 }
 
+std::string rare_light(const SetErrors& errors) {
+  std::string text;
+  for (const std::string& said : sentences_on_rare_light(errors))
+    text += "<p>" + html_escape(said) + "</p>\n";
+  return text;
+}
+
 std::string table(const SetErrors& errors) {
   std::string text =
       "<div class=\"scroll\"><table><thead><tr><th>stimulus</th><th>seconds</th><th>million rays</th>"
@@ -126,7 +133,7 @@ void write_errors_page(const fs::path& set_folder) {
               "error is against the path estimator with another seed, without that reference's noise, plus "
               "or minus its standard error; the rounding to 8 bits (0.0011) is part of it. A true error "
               "above its estimate is in orange.</p>\n" +
-              table(errors) + worst_tiles(set_folder, errors)));
+              rare_light(errors) + table(errors) + worst_tiles(set_folder, errors)));
 }
 
 }  // namespace seamline::renderer

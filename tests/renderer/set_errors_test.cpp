@@ -28,8 +28,18 @@ TEST(SetErrors, PicturesAboveTheErrorAreNamedWithWhatTheyReached) {
       sentences_on_missed(errors_of({{0.01, 0.02}, {0.0122, 0.02}, {0.009, 0.0312}}), 0.01);
   ASSERT_EQ(said.size(), 1U);
   EXPECT_THAT(said[0], testing::HasSubstr("0.01 (worst tile 0.03), was not reached by 2 of 3 stimuli"));
-  EXPECT_THAT(said[0], testing::HasSubstr("stimulus-2 (0.0122, worst tile 0.0200), stimulus-3 (0.0090"));
+  EXPECT_THAT(said[0], testing::HasSubstr("stimulus-2 (0.0122, worst tile 0.0200; more samples"));
   EXPECT_THAT(said[0], testing::Not(testing::HasSubstr("stimulus-1")));
+}
+
+TEST(SetErrors, AnErrorThatHangsOnAFewPixelsIsSaidToBeAGuess) {
+  SetErrors errors = errors_of({{0.01, 0.02}, {0.01, 0.02}});
+  EXPECT_TRUE(sentences_on_rare_light(errors).empty());
+  errors.rows[0].rare_light = 0.2;
+  errors.rows[1].rare_light = 0.81;
+  const std::vector<std::string> said = sentences_on_rare_light(errors);
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_THAT(said[0], testing::HasSubstr("of 1 of 2 stimuli is in one pixel of 500: stimulus-2 (81 %)"));
 }
 
 }  // namespace
