@@ -3,6 +3,7 @@
 #include "composites/objects/photo_objects.h"
 #include "renderer/estimators/fast/fast_stimulus.h"
 #include "renderer/estimators/fast/fast_truth_pass.h"
+#include "renderer/estimators/seen_emission.h"
 
 namespace seamline::renderer {
 namespace {
@@ -89,7 +90,8 @@ PhotoEstimate photo_by_fast(const PhotoScene& photo, const PhotoMeshes& meshes,
   ErrorEstimate no_error;
   no_error.tiles.resize(static_cast<std::size_t>(sums.grid.count()));
   no_error.blocks.resize(static_cast<std::size_t>(sums.blocks().count()));
-  const ObjectTruth object{scene, sums, geometry, photo_object_index, truth, no_error, true};
+  const auto seen = find_seen_emission(scene, options.threads);
+  const ObjectTruth object{scene, sums, geometry, photo_object_index, truth, no_error, true, seen.get()};
   Recipe recipe = renderer::recipe(Artifact::all, Isolation::query);
   if (test == nullptr) recipe.answers.occlusion = Who::truth;  // it is the same mesh
   const ShadowMatte matte{.of_all_suns = photo.shadow_matte};
@@ -100,6 +102,7 @@ PhotoEstimate photo_by_fast(const PhotoScene& photo, const PhotoMeshes& meshes,
                             .threads = options.threads,
                             .target = error ? std::optional(ErrorTarget{*error}) : std::nullopt,
                             .filter = choices.filters.size() > 1 ? choices.filters[1] : no_filter,
+                            .compositing = photo.compositing,
                             .progress = options.progress});
   return {{std::move(made.sums)}, std::move(made.error), made.taken};
 }

@@ -17,6 +17,7 @@
 #include "raytracer/common/stopwatch.h"
 #include "renderer/depth/budget/budgeted_panorama.h"
 #include "renderer/depth/budget/samples_picture.h"
+#include "renderer/picture/rare_light.h"
 #include "sets/set_layers.h"
 #include "support/running/progress.h"
 #include "support/text/error.h"
@@ -298,7 +299,8 @@ void make_composite(const CompositeRequest& asked, const CompositeListener& list
                       .occlusion = given.occlusion(request.occlusion),
                       .shadow_matte = given.shadow_matte ? &*given.shadow_matte : nullptr,
                       .added = known.added ? &*known.added : nullptr,
-                      .shadows = request.shadows};
+                      .shadows = request.shadows,
+                      .compositing = request.additive ? Compositing::additive : Compositing::ratio};
   };
   const ObjectSight sight = look_at_objects(seen.camera, *local.geometry, object_geometry, objects);
   if (!may_change(photo_scene(local), sight, request.threads)) refuse_without_effect(sight, request.shadows);
@@ -333,7 +335,7 @@ void make_composite(const CompositeRequest& asked, const CompositeListener& list
   const auto meshes_of = [&](const PhotoLocalScene& of) {
     return PhotoMeshes{surface_of_depth(of.mesh, request.albedo), objects.meshes};
   };
-  const Compositing compositing = request.additive ? Compositing::additive : Compositing::ratio;
+  const Compositing compositing = scene.compositing;
   Rendered rendered = render(request, scene, meshes_of(local), "composite");
   const PhotoSums& sums = rendered.estimate.sums;
   made.picture = compose_photo(sums, compositing, request.threads);
@@ -352,6 +354,11 @@ void make_composite(const CompositeRequest& asked, const CompositeListener& list
     made.worst_tile = rendered.estimate.error.worst_tile();
     if (request.error && !(*made.error <= *request.error))
       notes.say(fmt::format("the error that was asked for, {:g}, was not reached", *request.error));
+    if (request.error && sums.added[0].empty() &&
+        rare_light_share(sums, made.picture.picture, request.exposure_ev, request.threads) > much_rare_light)
+      notes.say(
+          "half or more of the estimated error is in one pixel of 500: rare bright light, which other "
+          "pixels may not have met yet, so that the error may be larger");
   }
   made.triangles = local.mesh.triangles.size();
   made.mesh_seconds = local.seconds;

@@ -207,6 +207,7 @@ Composite compose_photo(const PhotoSums& sums, Compositing compositing, int thre
 PhotoEstimate photo_by_path(const PhotoScene& scene, const std::optional<double>& error, double exposure_ev,
                             const PassOptions& options) {
   PhotoEstimate out{empty_photo_sums(scene, options.threads), {}, {}};
+  out.sums.compositing = scene.compositing;
   PassOptions pass = options;
   if (error) pass.spp = first_spp;
   for (;; pass.spp *= 2) {

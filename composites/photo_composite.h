@@ -27,6 +27,7 @@ struct PhotoScene {
   const Mask* shadow_matte = nullptr;  ///< where the suns do not reach; null: the local scene says it
   const Light* added = nullptr;        ///< exists only with the objects; null: none
   bool shadows = true;  ///< false: real surfaces keep the photograph's light, whatever the objects take
+  Compositing compositing = Compositing::ratio;  ///< of the picture whose error is estimated
 };
 
 /// What light that exists only with the objects adds to real surfaces in a pixel, sums of samples.

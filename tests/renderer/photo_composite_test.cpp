@@ -142,6 +142,19 @@ TEST_F(PhotoComposite, FastAndPathAgreeWithinTheirErrors) {
   EXPECT_NEAR(sum(a) / sum(b), 1, 0.01);
 }
 
+TEST_F(PhotoComposite, TheErrorIsOfThePictureThatIsMade) {
+  const Meshes ball = {test::sphere({-0.4F, -0.4F, -4}, 0.6F, 48, 0.6F, 1)};
+  const Geometry objects(ball);
+  PhotoScene asked = scene(objects);
+  asked.compositing = Compositing::additive;
+  const PhotoEstimate path = photo_by_path(asked, {}, 0, {.spp = 16, .threads = 2});
+  const PhotoEstimate fast =
+      photo_by_fast(asked, {surface_of_depth(mesh_, 0.5), ball}, 0.02, 0, {.seed = 5, .threads = 2});
+  EXPECT_EQ(path.sums.compositing, Compositing::additive);
+  EXPECT_EQ(fast.sums.compositing, Compositing::additive);
+  EXPECT_NE(path.error.rmse(), photo_by_path(scene(objects), {}, 0, {.spp = 16, .threads = 2}).error.rmse());
+}
+
 TEST_F(PhotoComposite, TheErrorThatIsAskedForIsReached) {
   const Geometry objects(Meshes{test::sphere({-0.4F, -0.4F, -4}, 0.6F, 48, 0.6F, 1)});
   const PhotoEstimate made = photo_by_path(scene(objects), 0.003, 0, {.threads = 2});

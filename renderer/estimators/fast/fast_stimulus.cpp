@@ -273,9 +273,9 @@ class StimulusRounds {
 
   [[nodiscard]] StimulusSums assembled(const DepthFilters& filters,
                                        std::optional<std::size_t> only_half = {}) const {
-    return assemble_stimulus(
-        {truth_, recipe_, depth_, order_, sampler_.is_dark_layer(), sampler_.compositing()}, filters,
-        options_.threads, only_half);
+    return assemble_stimulus({truth_, recipe_, depth_, order_, sampler_.is_dark_layer(),
+                              options_.compositing.value_or(sampler_.compositing())},
+                             filters, options_.threads, only_half);
   }
 
   struct Judged {

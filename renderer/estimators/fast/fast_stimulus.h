@@ -13,8 +13,9 @@ namespace seamline::renderer {
 struct FastStimulusOptions {
   std::uint64_t seed = 1;
   int threads = 1;
-  std::optional<ErrorTarget> target = {};  ///< none: as many samples as the photograph has
-  FilterStrength filter = no_filter;       ///< of bounce light on the object: the photograph's
+  std::optional<ErrorTarget> target = {};       ///< none: as many samples as the photograph has
+  FilterStrength filter = no_filter;            ///< of bounce light on the object: the photograph's
+  std::optional<Compositing> compositing = {};  ///< none: as the world of depth says
   std::function<void(double share_done)> progress = {};
 };
 
