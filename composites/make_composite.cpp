@@ -357,7 +357,7 @@ void make_composite(const CompositeRequest& asked, const CompositeListener& list
     if (request.error && sums.added[0].empty() &&
         rare_light_share(sums, made.picture.picture, request.exposure_ev, request.threads) > much_rare_light)
       notes.say(
-          "half or more of the estimated error is in one pixel of 500: rare bright light, which other "
+          "a fifth or more of the estimated error is in one pixel of 500: rare bright light, which other "
           "pixels may not have met yet, so that the error may be larger");
   }
   made.triangles = local.mesh.triangles.size();

@@ -152,7 +152,7 @@ std::vector<std::string> sentences_on_rare_light(const SetErrors& errors) {
       examples += fmt::format("{}{} ({:.0f} %)", rare > 1 ? ", " : "", row.id, 100 * *row.rare_light);
   if (rare == 0) return {};
   return {fmt::format(
-      "Rare bright light: half or more of the estimated error of {} of {} stimuli is in one pixel of 500: {}{}. "
+      "Rare bright light: a fifth or more of the estimated error of {} of {} stimuli is in one pixel of 500: {}{}. "
       "Other pixels may not have met that light yet, so these errors may be too low; --true-error measures them.",
       rare, errors.rows.size(), examples, rare > 3 ? " ..." : "")};
 }
@@ -167,7 +167,7 @@ CsvTable errors_table(const SetErrors& errors) {
                   {"estimated_error", "display units", "estimated RMSE, noise and bias"},
                   {"estimated_worst_tile", "display units", "the same in the worst 32 x 32 tile"},
                   {"rare_light", "share",
-                   "of the estimated noise in one pixel of 500; above 0.5 it may be too low"},
+                   "of the estimated noise in one pixel of 500; above 0.2 it may be too low"},
                   {"true_error", "display units", "RMSE against the path estimator, without its noise"},
                   {"true_standard_error", "display units", "of the true error as measured"},
                   {"true_worst_tile", "display units", "true error in the worst 32 x 32 tile"},

@@ -11,6 +11,6 @@ namespace seamline::renderer {
                                       int threads = 1);
 
 /// Above this share a set says that a stimulus' estimated error is not to be relied on.
-inline constexpr double much_rare_light = 0.5;
+inline constexpr double much_rare_light = 0.2;
 
 }  // namespace seamline::renderer

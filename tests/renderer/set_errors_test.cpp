@@ -35,7 +35,7 @@ TEST(SetErrors, PicturesAboveTheErrorAreNamedWithWhatTheyReached) {
 TEST(SetErrors, AnErrorThatHangsOnAFewPixelsIsSaidToBeAGuess) {
   SetErrors errors = errors_of({{0.01, 0.02}, {0.01, 0.02}});
   EXPECT_TRUE(sentences_on_rare_light(errors).empty());
-  errors.rows[0].rare_light = 0.2;
+  errors.rows[0].rare_light = 0.15;
   errors.rows[1].rare_light = 0.81;
   const std::vector<std::string> said = sentences_on_rare_light(errors);
   ASSERT_EQ(said.size(), 1U);
