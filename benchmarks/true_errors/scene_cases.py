@@ -1,4 +1,4 @@
-"""Fifty small scenes of all kinds that a user might bring, as study files of 64 x 36 pixels."""
+"""Small scenes of all kinds that a user might bring, as study files of 64 x 36 pixels."""
 import os
 
 from gltf_parts import ball, box, hdr, joined, png, quad, ring_band, write_gltf
@@ -134,8 +134,8 @@ def cases():
         Case("thin_rods", room=OPEN + [(rods(), BLACK)], artifact="occlusion"),
         Case("thin_rods_shadow", room=OPEN + [(rods(), BLACK)], artifact="overlap"),
         Case("leaves", room=OPEN + [(quad([-1.2, 0, -1.0], [0.9, 0, -1.0], [0.9, 1.8, -1.0], [-1.2, 1.8, -1.0]), {"colour": (1, 1, 1), "picture": png(32, 32, leaves), "alpha": "MASK"})], artifact="occlusion"),
-        Case("depth_noise", width=None, same_seed=True, artifact="all", tables='[level]\nquantity = "depth_noise"\nvalues = [1]\n[depth]\npreset = "tof_160x120"\n'),
-        Case("structured_light", width=None, same_seed=True, artifact="receiver", tables='[level]\nquantity = "depth_noise"\nvalues = [1]\n[depth]\npreset = "structured_light_640x480"\n'),
+        Case("depth_noise", width=None, same_seed=True, artifact="all", tables='[level]\nquantity = "depth_noise"\nvalues = [1]\n[depth]\nsource = "pinhole"\npreset = "tof_160x120"\n'),
+        Case("structured_light", width=None, same_seed=True, artifact="receiver", tables='[level]\nquantity = "depth_noise"\nvalues = [1]\n[depth]\nsource = "pinhole"\npreset = "structured_light_640x480"\n'),
         Case("mask_shadow", study='isolation = "mask"', artifact="shadow"),
         Case("mask_overlap", study='isolation = "mask"', artifact="overlap", width=64),
         Case("mask_receiver_closed", study='isolation = "mask"', room=CLOSED, light=NIGHT, lamps=lamps((0.5, 2.4, -1.0, 6)), width=64),
