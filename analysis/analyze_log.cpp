@@ -17,6 +17,7 @@
 #include "analysis/report/tables/dictionary.h"
 #include "analysis/report/tables/preregistration_table.h"
 #include "analysis/report/text/checks_text.h"
+#include "analysis/report/text/depth_error_notes.h"
 #include "analysis/report/text/numbers_text.h"
 #include "analysis/report/text/threshold_text.h"
 #include "stimuli/definition/methods/analysis_definition.h"
@@ -97,6 +98,7 @@ AnalysisSummary analyze_log(const AnalysisRequest& request) {
   if (published) lay_beside_published(analysis, std::move(*published), request);
   if (archive) compare_with_archive(analysis, *archive);
   for (std::string& note : notes_on_depth(analysis.log)) analysis.notes.push_back(std::move(note));
+  for (std::string& note : thresholds_as_depth_errors(analysis)) analysis.notes.push_back(std::move(note));
   if (request.no_seam_at)
     for (std::string& note : no_seam_sentences(analysis, *request.no_seam_at, *request.no_seam_margin))
       analysis.notes.push_back(std::move(note));

@@ -3,7 +3,7 @@
 install(TARGETS seamline RUNTIME DESTINATION bin)
 install(TARGETS seamline_pictures LIBRARY DESTINATION lib/seamline)
 install(DIRECTORY ${builtin_scenes_folder}/ DESTINATION share/seamline/scenes/builtin FILES_MATCHING PATTERN "*.glb" PATTERN "*.exr")
-install(DIRECTORY stimuli/ DESTINATION share/seamline/stimuli FILES_MATCHING PATTERN "*.toml"
+install(DIRECTORY stimuli/ DESTINATION share/seamline/stimuli FILES_MATCHING PATTERN "*.toml" PATTERN "estimated/*.png"
   PATTERN "definition" EXCLUDE PATTERN "pictures" EXCLUDE PATTERN "set" EXCLUDE PATTERN "study_file" EXCLUDE)
 if(SEAMLINE_HAS_WEB)
   install(DIRECTORY ${SEAMLINE_WEB_FOLDER}/ DESTINATION share/seamline/web)

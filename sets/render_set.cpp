@@ -220,6 +220,7 @@ class SetRenderer {
         by_mesh[{captured ? canonical_text(*captured) : std::string(), work.stimulus.depth}].push_back(work);
       }
     if (by_mesh.empty()) return;
+    stereo_.forget();
     const std::string what = scene.definition.truth + " " +
                              scene.definition.objects[static_cast<std::size_t>(object_index - 1)].name;
     if (request_.part == JobPart::stimuli && estimator.truth_pieces() > 1)
@@ -255,7 +256,7 @@ class SetRenderer {
         needed ? captured_geometry(works.front().stimulus) : std::nullopt;
     if (needed)
       depth.emplace(stimulus_scene(scene, estimator, settings, asked.traces_depth(), threads_,
-                                   captured ? &*captured : nullptr));
+                                   captured ? &*captured : nullptr, &stereo_));
     progress_->advance(weights_.mesh, "depth mesh");
     timings_.add(fmt::format("mesh-{}-{}-{:04}", scene.definition.truth, works.front().stimulus.object,
                              settings.width_px),
@@ -329,6 +330,7 @@ class SetRenderer {
   std::size_t earlier_stimuli_ = 0;
   MovingScenes moving_{study_.width_px, study_.height_px};  ///< of clips
   std::map<std::string, TruthScene> scenes_;
+  StereoMemory stereo_;                       ///< of the object that is rendered
   std::map<std::string, LightFacts> lights_;  ///< of scenes loaded so far
   SetTruths truths_of_others_{request_.set_folder};
   std::optional<RunningMark> mark_;

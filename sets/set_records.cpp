@@ -101,6 +101,14 @@ std::string program_hash() {
   return error ? std::string() : sha256_of_file(self);
 }
 
+/// The depth map that a source reads; null: none.
+const fs::path* file_of(const DepthSource& source) {
+  if (const auto* panorama = std::get_if<PanoramaSource>(&source); panorama != nullptr && panorama->file)
+    return &panorama->file->path;
+  const auto* file = std::get_if<FileSource>(&source);
+  return file != nullptr ? &file->path : nullptr;
+}
+
 std::string amount_of_work(const RenderSettings& settings) {
   const std::string amount =
       settings.error ? fmt::format("error {}", *settings.error) : fmt::format("spp {}", settings.spp);
@@ -118,9 +126,8 @@ InputHashes::InputHashes(const StudyDefinition& study, const RenderSettings& set
   for (const Stimulus& stimulus : list_stimuli(study)) {
     if (stimulus.depth.chain)
       for (const DepthSource& source : stimulus.depth.chain->sources)
-        if (const auto* file = std::get_if<FileSource>(&source))
-          if (!depth_files_.contains(file->path))
-            depth_files_.emplace(file->path, sha256_of_file(file->path));
+        if (const fs::path* path = file_of(source); path != nullptr && !depth_files_.contains(*path))
+          depth_files_.emplace(*path, sha256_of_file(*path));
     settings_.insert(isolation_and_mesh(stimulus));
     if (const auto captured = captured_scene(study, stimulus))
       captured_[stimulus_id(stimulus)] = " depth of " + canonical_text(*captured);
@@ -137,7 +144,7 @@ std::string InputHashes::isolation_and_mesh(const Stimulus& stimulus) const {
   if (!stimulus.depth.chain) return text;
   text += " " + canonical_text(stimulus.depth.chain);
   for (const DepthSource& source : stimulus.depth.chain->sources)
-    if (const auto* file = std::get_if<FileSource>(&source)) text += " " + depth_files_.at(file->path);
+    if (const fs::path* path = file_of(source)) text += " " + depth_files_.at(*path);
   return text;
 }
 

@@ -41,7 +41,7 @@ void add_masks(const TruthScene& scene, const ObjectGeometry& geometry, const De
 
 LocalScene stimulus_scene(const TruthScene& scene, const SceneEstimator& estimator,
                           const DepthSettings& settings, bool traces_rays, int threads,
-                          const Geometry* captured) {
+                          const Geometry* captured, StereoMemory* stereo) {
   const Geometry& truth = captured != nullptr ? *captured : estimator.geometry().truth;
   Image photograph;
   if (looks_at_photograph(settings)) photograph = background_image(estimator.truth());
@@ -51,12 +51,20 @@ LocalScene stimulus_scene(const TruthScene& scene, const SceneEstimator& estimat
     budgeted = budgeted_panorama(
         {truth, estimator.geometry().object, scene.light, centre_camera(scene.camera), threads}, settings,
         tests_depth || tests_pixels(settings.chain->occlusion));
+  std::map<std::size_t, sensors::DepthFrame> matched;
+  if (settings.chain && has_stereo(*settings.chain)) {
+    StereoMemory once;
+    matched = (stereo != nullptr ? *stereo : once)
+                  .frames({truth, scene.light, centre_camera(scene.camera), scene.definition.exposure_ev},
+                          *settings.chain, threads);
+  }
   LocalScene local = make_local_scene(truth, settings,
                                       {.albedo = scene.definition.albedo,
                                        .traces_rays = traces_rays,
                                        .threads = threads,
                                        .photograph = centre_camera(scene.camera),
                                        .picture = photograph.values.empty() ? nullptr : &photograph,
+                                       .stereo = &matched,
                                        .keeps_triangles = looks_at_triangles(settings.pipeline),
                                        .tests_depth = tests_depth,
                                        .budgeted = budgeted ? &*budgeted : nullptr});

@@ -44,7 +44,7 @@ double receiver_threshold(const Manifest& manifest, const VisibleDifferences& di
   for (const PredictedArtifact& artifact : predict_artifacts(manifest, differences, observer)) {
     if (artifact.artifact != Artifact::receiver) continue;
     std::vector<double> widths;
-    for (const PredictedCell& cell : artifact.cells) widths.push_back(std::log2(cell.width_px));
+    for (const PredictedCell& cell : artifact.cells) widths.push_back(std::log2(cell.level));
     return largest_x_at(perceptual_level, widths, artifact.thresholds.isotonic.value);
   }
   throw input_error(
@@ -81,6 +81,14 @@ double mean_difference(const PredictedArtifact& artifact) {
   return sum / static_cast<double>(artifact.cells.size());
 }
 
+/// Of a study's levels.
+LevelAxis prediction_axis(const LevelDefinition& level) {
+  LevelAxis axis{.quantity = level.quantity, .noticeability = level.noticeability, .unit = 1};
+  const double range = level.values.back() - level.values.front();
+  if (is_linear(axis) && range > 0) axis.unit = range / 6;
+  return axis;
+}
+
 /// For sorting: a missing threshold is beyond the widths on the side that its reason says.
 double log2_or_beyond(const ThresholdEstimate& estimate) {
   if (estimate.level_x) return *estimate.level_x;
@@ -91,11 +99,14 @@ double log2_or_beyond(const ThresholdEstimate& estimate) {
 
 std::vector<PredictedArtifact> predict_artifacts(const Manifest& manifest,
                                                  const VisibleDifferences& differences,
-                                                 const ObserverDefinition& observer) {
-  std::map<Artifact, std::map<int, CellSums>> sums;
+                                                 const ObserverDefinition& observer, const LevelAxis& axis) {
+  const auto before = [&axis](double a, double b) { return comes_before(axis, a, b); };
+  using Cells = std::map<double, CellSums, decltype(before)>;
+  std::map<Artifact, Cells> sums;
   for (const ManifestStimulus& record : manifest.stimuli) {
     if (record.stimulus.artifact == Artifact::none) continue;
-    CellSums& cell = sums[record.stimulus.artifact][record.stimulus.depth.width_px];
+    Cells& cells = sums.try_emplace(record.stimulus.artifact, before).first->second;
+    CellSums& cell = cells[of_depth_widths(axis) ? record.stimulus.depth.width_px : record.stimulus.level];
     const double difference = differences.at(record.id).above_floor;
     cell.difference += difference;
     cell.noticeability += study::expected_noticeability_of_difference(observer, difference);
@@ -104,28 +115,29 @@ std::vector<PredictedArtifact> predict_artifacts(const Manifest& manifest,
   std::vector<PredictedArtifact> artifacts;
   for (const auto& [artifact, cells] : sums) {
     PredictedArtifact predicted{.artifact = artifact, .cells = {}, .thresholds = {}};
-    std::vector<double> widths, means;
-    for (const auto& [width_px, cell] : cells) {
-      predicted.cells.push_back({.width_px = width_px,
+    std::vector<double> level_x, means;
+    for (const auto& [level, cell] : cells) {
+      predicted.cells.push_back({.level = level,
                                  .visible_difference = cell.difference / cell.count,
                                  .expected_noticeability = cell.noticeability / cell.count});
-      widths.push_back(std::log2(width_px));
+      if (stands_apart(axis, level)) continue;
+      level_x.push_back(x_of(axis, level));
       means.push_back(predicted.cells.back().expected_noticeability);
     }
-    predicted.thresholds = thresholds_of_means(widths, means);
+    predicted.thresholds = thresholds_of_means(level_x, means, axis);
     artifacts.push_back(std::move(predicted));
   }
   return artifacts;
 }
 
 std::vector<SceneSpread> scene_spreads(const Manifest& manifest, const VisibleDifferences& differences,
-                                       const ObserverDefinition& observer) {
+                                       const ObserverDefinition& observer, const LevelAxis& axis) {
   std::map<std::string, Manifest> by_scene;
   for (const ManifestStimulus& record : manifest.stimuli)
     by_scene[record.stimulus.scene].stimuli.push_back(record);
   std::map<Artifact, std::vector<CurveThresholds>> thresholds;
   for (const auto& [scene, part] : by_scene)
-    for (const PredictedArtifact& artifact : predict_artifacts(part, differences, observer))
+    for (const PredictedArtifact& artifact : predict_artifacts(part, differences, observer, axis))
       thresholds[artifact.artifact].push_back(artifact.thresholds);
   std::vector<SceneSpread> spreads;
   for (const auto& [artifact, curves] : thresholds) {
@@ -160,17 +172,20 @@ Prediction predict_thresholds(const PredictionRequest& request) {
   require_papers_task(set.study, "predict");
   check_manifest_pictures(set.folder, set.manifest);
   const std::string manifest_file = (request.set_folder / "manifest.json").string();
-  if (set.study.level.quantity != Quantity::depth_width_px)
+  if (request.calibrate && set.study.level.quantity != Quantity::depth_width_px)
     throw input_error({.file = manifest_file,
                        .field = "level.quantity",
-                       .wanted = "\"depth_width_px\" (the prediction is fixed on widths of depth maps)",
+                       .wanted = "\"depth_width_px\", on which the paper's threshold is, or no --calibrate",
                        .found = "\"" + std::string(facts(set.study.level.quantity).key) + "\""});
   if (set.study.conditions.size() > 1)
     throw input_error({.file = manifest_file,
                        .field = "condition",
                        .wanted = "one condition (predict each condition as a set of its own)",
                        .found = std::to_string(set.study.conditions.size())});
-  Prediction prediction{.observer = set.study.observer, .artifacts = {}};
+  Prediction prediction{.observer = set.study.observer,
+                        .axis = prediction_axis(set.study.level),
+                        .artifacts = {},
+                        .depth_errors = depth_errors_of_set(set.manifest)};
   if (request.pixels_per_degree) prediction.observer.pixels_per_degree = *request.pixels_per_degree;
   const double ppd = prediction.observer.pixels_per_degree;
   const DifferenceFloors floors = floors_of(request.none_set_folder, ppd, request.threads);
@@ -188,8 +203,8 @@ Prediction predict_thresholds(const PredictionRequest& request) {
     prediction.observer.image_gain =
         calibrated_gain(set.manifest, differences, prediction.observer,
                         paper_thresholds(Artifact::receiver).value().perceptual_px.value());
-  prediction.artifacts = predict_artifacts(set.manifest, differences, prediction.observer);
-  prediction.spreads = scene_spreads(set.manifest, differences, prediction.observer);
+  prediction.artifacts = predict_artifacts(set.manifest, differences, prediction.observer, prediction.axis);
+  prediction.spreads = scene_spreads(set.manifest, differences, prediction.observer, prediction.axis);
   if (prediction.artifacts.empty())
     throw input_error({.file = (request.set_folder / "manifest.json").string(),
                        .field = "stimuli",

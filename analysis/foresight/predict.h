@@ -4,9 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "analysis/scores/level_axis.h"
 #include "analysis/thresholds/thresholds.h"
 #include "stimuli/definition/study_definition.h"
 #include "stimuli/pictures/visible_difference.h"
+#include "stimuli/set/depth_errors.h"
 #include "stimuli/set/manifest.h"
 
 namespace seamline::analysis {
@@ -21,16 +23,16 @@ struct PredictionRequest {
   int threads = 0;
 };
 
-/// One artifact at one width: what the `image` observer is expected to answer on average.
+/// One artifact at one level: what the `image` observer is expected to answer on average.
 struct PredictedCell {
-  int width_px = 0;
+  double level = 0;
   double visible_difference = 0;      ///< above the floor, mean over scenes and objects
   double expected_noticeability = 0;  ///< 0 to 4, mean over scenes and objects, guessing included
 };
 
 struct PredictedArtifact {
   Artifact artifact = Artifact::none;
-  std::vector<PredictedCell> cells;  ///< widths rising
+  std::vector<PredictedCell> cells;  ///< along the axis, what stands apart last
   CurveThresholds thresholds;        ///< without intervals
 };
 
@@ -55,26 +57,31 @@ enum class GainSource {
 struct Prediction {
   ObserverDefinition observer;  ///< with the gain that was used
   GainSource gain_source = GainSource::detection;
+  LevelAxis axis = {};
   bool floor_known = false;  ///< some stimulus without a seam told what rendering noise looks like
   double highest_floor = 0;
-  std::vector<PredictedArtifact> artifacts;  ///< in the order of `every_artifact`, without `none`
-  std::vector<SceneSpread> spreads = {};     ///< of artifacts with two scenes or more
+  std::vector<PredictedArtifact> artifacts;        ///< in the order of `every_artifact`, without `none`
+  std::vector<SceneSpread> spreads = {};           ///< of artifacts with two scenes or more
+  std::vector<LevelDepthError> depth_errors = {};  ///< where depth is estimated
 };
 
 /// Thresholds predicted from the pictures of a set alone, before anyone is asked: the functionals of
 /// `thresholds_of_means` on the expected means of the `image` observer. Throws InputError when the set cannot
-/// be read, holds no seam, or no gain gives the wanted receiver threshold.
+/// be read, holds no seam, has several conditions, or no gain gives the wanted receiver threshold; that is
+/// asked of widths of depth maps only.
 [[nodiscard]] Prediction predict_thresholds(const PredictionRequest& request);
 
 /// The same from visible differences that are at hand.
 [[nodiscard]] std::vector<PredictedArtifact> predict_artifacts(const Manifest& manifest,
                                                                const VisibleDifferences& differences,
-                                                               const ObserverDefinition& observer);
+                                                               const ObserverDefinition& observer,
+                                                               const LevelAxis& axis = {});
 
 /// How thresholds differ between scenes, for each artifact with two scenes or more.
 [[nodiscard]] std::vector<SceneSpread> scene_spreads(const Manifest& manifest,
                                                      const VisibleDifferences& differences,
-                                                     const ObserverDefinition& observer);
+                                                     const ObserverDefinition& observer,
+                                                     const LevelAxis& axis = {});
 
 /// The gain with which the receiver artifact's perceptual threshold is `receiver_px`, by bisection to 1e-9
 /// octaves (a larger gain never lowers a threshold). Throws InputError when there is none.

@@ -13,24 +13,37 @@ namespace seamline::analysis {
 namespace {
 
 CsvTable threshold_table(const Prediction& prediction) {
+  const LevelAxis& axis = prediction.axis;
+  const bool widths = of_depth_widths(axis);
   CsvTable table{.name = "prediction",
                  .columns = {{"artifact", "", ""},
                              {"quantity", "", ""},
-                             {"predicted", "px", ""},
-                             {"paper", "px", ""},
-                             {"predicted / paper", "octaves", ""}},
+                             {widths ? "predicted" : level_key(axis), widths ? "px" : "", ""}},
                  .rows = {}};
+  if (widths) {
+    table.columns.push_back({"paper", "px", ""});
+    table.columns.push_back({"predicted / paper", "octaves", ""});
+  }
+  if (!prediction.depth_errors.empty()) table.columns.push_back({"depth there", "", ""});
   const auto add = [&](Artifact artifact, const char* quantity, const ThresholdEstimate& estimate,
                        std::optional<int> paper_px) {
     std::vector<CsvValue> row{std::string(artifact_title(artifact)), std::string(quantity)};
-    if (estimate.level_x)
-      row.emplace_back(fmt::format("{:.0f}", std::exp2(*estimate.level_x)));
+    const std::optional<double> level =
+        estimate.level_x ? std::optional(level_at(axis, *estimate.level_x)) : std::nullopt;
+    if (level)
+      row.emplace_back(widths ? fmt::format("{:.0f}", *level) : estimated_text(axis, *level));
     else
       row.emplace_back(estimate.reason);
-    row.emplace_back(paper_px ? CsvValue(std::int64_t{*paper_px}) : CsvValue());
-    const bool both = estimate.level_x && paper_px;
-    row.emplace_back(both ? CsvValue(fmt::format("{:+.2f}", *estimate.level_x - std::log2(*paper_px)))
-                          : CsvValue());
+    if (widths) {
+      row.emplace_back(paper_px ? CsvValue(std::int64_t{*paper_px}) : CsvValue());
+      const bool both = level && paper_px;
+      row.emplace_back(both ? CsvValue(fmt::format("{:+.2f}", *estimate.level_x - std::log2(*paper_px)))
+                            : CsvValue());
+    }
+    const auto error =
+        level ? depth_error_at(prediction.depth_errors, "", *level) : std::optional<DepthErrorRecord>();
+    if (!prediction.depth_errors.empty())
+      row.emplace_back(error ? CsvValue(depth_error_text(*error)) : CsvValue());
     table.rows.push_back(row);
   };
   for (const PredictedArtifact& predicted : prediction.artifacts) {
@@ -45,7 +58,8 @@ CsvTable threshold_table(const Prediction& prediction) {
 CsvTable cell_table(const Prediction& prediction) {
   CsvTable table{.name = "cells", .columns = {{"artifact", "", ""}}, .rows = {}};
   for (const PredictedCell& cell : prediction.artifacts.front().cells)
-    table.columns.push_back({std::to_string(cell.width_px), "px", ""});
+    table.columns.push_back(
+        {tested_text(prediction.axis, cell.level), std::string(facts(prediction.axis.quantity).unit), ""});
   for (const PredictedArtifact& predicted : prediction.artifacts) {
     std::vector<CsvValue> row{std::string(word(predicted.artifact))};
     for (const PredictedCell& cell : predicted.cells)
@@ -59,6 +73,11 @@ CsvTable cell_table(const Prediction& prediction) {
 /// The four artifacts of the paper by its Table 1: a dash of PT is above every width, a dash of SN below.
 constexpr const char* paper_order = "overlap, occlusion, receiver, shadow";
 
+std::string spread_mean(const LevelAxis& axis, double mean_x) {
+  const double level = level_at(axis, mean_x);
+  return of_depth_widths(axis) ? fmt::format("{:.0f} px", level) : estimated_text(axis, level);
+}
+
 /// What differs between scenes and between people, and what one scene says of others.
 std::string spread_text(const Prediction& prediction) {
   if (prediction.spreads.empty())
@@ -66,17 +85,21 @@ std::string spread_text(const Prediction& prediction) {
            "it.\n";
   std::string text;
   for (const SceneSpread& spread : prediction.spreads) {
-    text += fmt::format("{} {}: {} of {} scenes within the widths", artifact_title(spread.artifact),
-                        spread.quantity, spread.with_value, spread.scenes);
+    text += fmt::format("{} {}: {} of {} scenes within the {}s", artifact_title(spread.artifact),
+                        spread.quantity, spread.with_value, spread.scenes, level_word(prediction.axis));
     if (spread.with_value > 1)
-      text += fmt::format(", mean {:.0f} px, standard deviation between scenes {:.2f} octaves",
-                          std::exp2(spread.mean_x), spread.sd_x);
+      text +=
+          fmt::format(", mean {}, standard deviation between scenes {:.2f} {}",
+                      spread_mean(prediction.axis, spread.mean_x),
+                      std::abs(difference_at(prediction.axis, spread.sd_x)), length_unit(prediction.axis));
     text += ".\n";
   }
   return text + fmt::format(
-                    "Between people {:.2f} octaves are assumed (people_sd_octaves). More people narrow one "
-                    "part, more scenes the other.\n",
-                    prediction.observer.people_sd_octaves);
+                    "Between people {:.2f} {} are assumed. More people narrow one part, more scenes the "
+                    "other.\n",
+                    is_linear(prediction.axis) ? prediction.observer.people_sd_linear
+                                               : prediction.observer.people_sd_octaves,
+                    length_unit(prediction.axis));
 }
 
 /// On whose eyes the gain rests.
@@ -91,7 +114,7 @@ std::string gain_text(const Prediction& prediction) {
     case GainSource::detection:
       return "The gain rests on the eyes of ModelFest's 16 people, who looked for known patterns on a uniform "
              "field\n(`seamline observe` shows how well). People who search a picture without its reference "
-             "see less:\nthe widths above are where a difference can be seen at all, not where a study "
+             "see less:\nthe levels above are where a difference can be seen at all, not where a study "
              "finds it.\n";
   }
   return {};
@@ -110,8 +133,9 @@ std::string prediction_text(const Prediction& prediction) {
   text += markdown_table(threshold_table(prediction)) + "\n";
   text += "Visible difference → expected noticeability (0 to 4), mean over objects:\n\n";
   text += markdown_table(cell_table(prediction)) + "\n";
-  text += fmt::format("Most to least demanding: {}; in the paper: {}.\n",
-                      joined(demanding_order(prediction.artifacts)), paper_order);
+  text += fmt::format("Most to least demanding: {}{}.\n", joined(demanding_order(prediction.artifacts)),
+                      of_depth_widths(prediction.axis) ? std::string("; in the paper: ") + paper_order : "");
+  for (const std::string& said : sentences(prediction.depth_errors)) text += said + "\n";
   text += fmt::format(
       "FLIP at {:g} pixels per degree, pooled with exponent {:g}; gain {:.6g} (seen half of the time: "
       "{:.4g}).\n",

@@ -14,13 +14,16 @@
 #include "raytracer/scene/truth_scene.h"
 #include "sets/pages/errors_page.h"
 #include "sets/pages/explain.h"
+#include "sets/photographs/study_photographs.h"
 #include "sets/set_errors.h"
 #include "sets/true_error_set.h"
 #include "stimuli/definition/clip_frames.h"
 #include "stimuli/set/clip_set.h"
+#include "stimuli/set/depth_errors.h"
 #include "stimuli/set/level_notes.h"
 #include "stimuli/set/manifest_pictures.h"
 #include "stimuli/set/set_study.h"
+#include "stimuli/study_file/study_file.h"
 #include "support/running/progress.h"
 #include "support/text/error.h"
 #include "support/text/number_option.h"
@@ -30,7 +33,7 @@ namespace {
 
 struct RenderCommand {
   RenderOptions render;
-  std::string shard, true_error;
+  std::string shard, true_error, photographs;
   int true_error_spp = 64;
   bool dry_run = false, explain = false, contact_sheet = false;
 };
@@ -70,7 +73,20 @@ void print_savings(const RenderSummary& summary) {
   std::fflush(stdout);
 }
 
+/// What an estimator needs to see: its depth maps need not be there yet.
+void run_photographs(const RenderOptions& options, const std::string& folder) {
+  const StudyDefinition study = read_study(options.study, AssetCheck::all_but_depth, options.asset_root);
+  if (study.clip)
+    throw input_error(
+        {.field = "--photographs", .wanted = "a study of stills", .found = "a study with [clip]"});
+  PhotographsRequest request{.folder = folder, .only = options.only, .threads = options.threads};
+  if (options.spp > 0) request.spp = options.spp;
+  const int count = write_photographs(study, request);
+  fmt::print("{}: {} photograph{}, each with its true depth\n", folder, count, count == 1 ? "" : "s");
+}
+
 void run_render(const RenderCommand& options) {
+  if (!options.photographs.empty()) return run_photographs(options.render, options.photographs);
   const StudyDefinition study = study_of(options.render);
   if (options.dry_run) return list_ids(study, options.render.only);
   if (options.render.set.empty() && !options.explain)
@@ -125,8 +141,9 @@ void say_of_whole_set(const StudyDefinition& study, const RenderRequest& request
   for (const std::string& said : sentences_on_rare_light(read_set_errors(request.set_folder)))
     fmt::print("{}\n", said);
   for (const std::string& said : notes_on_levels(study)) fmt::print("{}\n", said);
-  for (const std::string& said : sentences(holes_of_set(read_manifest(request.set_folder))))
-    fmt::print("{}\n", said);
+  const Manifest manifest = read_manifest(request.set_folder);
+  for (const std::string& said : sentences(holes_of_set(manifest))) fmt::print("{}\n", said);
+  for (const std::string& said : sentences(depth_errors_of_set(manifest))) fmt::print("{}\n", said);
 }
 
 void add_render_command(CLI::App& app) {
@@ -147,6 +164,13 @@ void add_render_command(CLI::App& app) {
              "samples per pixel of these references")
       ->capture_default_str()
       ->needs(true_error);
+  render
+      ->add_option("--photographs", options->photographs,
+                   "render no stimuli: write to this folder what an estimator of depth needs to see, each "
+                   "scene without one object as the study's depth camera sees it, with the camera and the "
+                   "true depth")
+      ->excludes("--out")
+      ->excludes("--error");
   render->add_flag("--dry-run", options->dry_run, "list the stimulus ids and stop");
   group_options(*render, {{"Many processes", {"--shard"}},
                           {"Evidence", {"--true-error", "--true-error-spp", "--no-omit", "--layers"}}});

@@ -1,4 +1,4 @@
-// The only file that includes OpenCV, but for aruco.cpp.
+// Of the files that include OpenCV, the one for cameras and poses.
 #include "registration/calibration/opencv.h"
 
 #include "support/text/error.h"

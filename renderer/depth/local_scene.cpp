@@ -15,6 +15,7 @@ struct Rebuilt {
   DepthMesh mesh;
   std::optional<SensorCounts> counts = {};
   std::optional<ModelRecord> model = {};
+  std::optional<DepthErrorRecord> depth_error = {};
   std::vector<DepthSight> sights = {};
 };
 
@@ -40,7 +41,7 @@ Rebuilt from_panorama(const Geometry& truth, const DepthSettings& settings, cons
          .found = "\"jumps\" or \"budgeted\""});
   MeasuredPanorama made =
       use.budgeted != nullptr ? std::move(*use.budgeted) : panorama_mesh(truth, settings, use.threads);
-  Rebuilt out{.mesh = std::move(made.mesh), .model = made.model};
+  Rebuilt out{.mesh = std::move(made.mesh), .model = made.model, .depth_error = made.depth_error};
   // Samples that are spent unevenly do not count holes by what is there, but by what was asked.
   if (use.budgeted == nullptr) out.counts = made.counts;
   if (use.tests_depth || tests_pixels(settings.chain->occlusion))
@@ -49,8 +50,14 @@ Rebuilt from_panorama(const Geometry& truth, const DepthSettings& settings, cons
 }
 
 Rebuilt from_sensors(const Geometry& truth, const DepthSettings& settings, const LocalSceneUse& use) {
-  MeasuredMesh made = sensor_mesh(truth, settings, {use.photograph, use.picture}, use.threads);
-  Rebuilt out{.mesh = std::move(made.mesh), .counts = made.counts};
+  if (has_stereo(*settings.chain) && use.stereo == nullptr)
+    throw input_error({.field = "depth.source",
+                       .wanted = "another source here: only `render` makes the pictures that are matched",
+                       .found = "\"stereo\""});
+  SeenPhotograph photograph(use.photograph, use.picture);
+  photograph.stereo = use.stereo;
+  MeasuredMesh made = sensor_mesh(truth, settings, photograph, use.threads);
+  Rebuilt out{.mesh = std::move(made.mesh), .counts = made.counts, .depth_error = made.depth_error};
   if (use.tests_depth || tests_pixels(settings.chain->occlusion))
     for (const PlacedFrame& placed : made.frames)
       out.sights.emplace_back(
@@ -79,7 +86,7 @@ std::optional<OcclusionTest> occlusion_test(const DepthSettings& settings, const
 
 std::optional<SensorCounts> count_captured(const Geometry& truth, const DepthSettings& settings,
                                            const Camera& photograph, int threads) {
-  if (!settings.chain || is_budgeted(*settings.chain)) return std::nullopt;
+  if (!settings.chain || is_budgeted(*settings.chain) || has_stereo(*settings.chain)) return std::nullopt;
   return is_panorama(*settings.chain) ? panorama_counts(truth, settings, threads)
                                       : sensor_counts(truth, *settings.chain, photograph, threads);
 }
@@ -94,7 +101,8 @@ LocalScene make_local_scene(const Geometry& truth, const DepthSettings& settings
                    {.triangles = static_cast<std::int64_t>(made.mesh.triangles.size()),
                     .max_relative_error = made.mesh.max_relative_error,
                     .sensor = made.counts,
-                    .model = made.model}};
+                    .model = made.model,
+                    .depth_error = made.depth_error}};
   (use.tests_depth ? local.realtime_occlusion : local.occlusion) =
       occlusion_test(settings, use.photograph, std::move(made.sights));
   if (use.keeps_triangles) local.triangles = std::make_shared<const DepthMesh>(std::move(made.mesh));

@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -42,6 +43,8 @@ struct LocalSceneUse {
   Camera photograph = {};  ///< in whose frame sensors are; panoramas do not look at it
   /// What it shows without the object, linear, where a chain is guided by it; null elsewhere.
   const Image* picture = nullptr;
+  /// What matching found for each stereo source, by its place in the chain; null where there is none.
+  const std::map<std::size_t, sensors::DepthFrame>* stereo = nullptr;
   bool keeps_triangles = false;  ///< `LocalScene::triangles`
   /// A depth test beside the mesh, in place of the chain's own: `LocalScene::realtime_occlusion`.
   bool tests_depth = false;
@@ -56,7 +59,7 @@ struct LocalSceneUse {
                                           const LocalSceneUse& use);
 
 /// What sensors deliver of the truth, as `make_local_scene` counts it, but before any repair; none of exact
-/// panoramas. Throws InputError likewise.
+/// panoramas and of stereo. Throws InputError likewise.
 [[nodiscard]] std::optional<SensorCounts> count_captured(const Geometry& truth, const DepthSettings& settings,
                                                          const Camera& photograph, int threads);
 

@@ -8,6 +8,7 @@
 #include "renderer/depth/coarse_model.h"
 #include "renderer/depth/dense_sphere.h"
 #include "renderer/depth/depth_mesh.h"
+#include "renderer/depth/sensor/estimated_map.h"
 #include "renderer/depth/sensor/pixel_mesh.h"
 #include "support/running/parallel.h"
 
@@ -19,7 +20,20 @@ using sensors::DepthFrame;
 struct MeasuredMap {
   DepthMap map;
   SensorCounts counts;
+  std::optional<DepthErrorRecord> depth_error = {};
 };
+
+/// The estimate of a file in place of the true map, as far as its share says. Returns the true distances.
+std::vector<float> put_estimate(const PanoramaFile& file, DepthMap& map) {
+  sensors::PinholeCamera size;  // of a panorama, whose rays it does not have
+  size.width_px = map.width_px;
+  size.height_px = map.height_px;
+  std::vector<float> true_m = map.distance_m;
+  map.distance_m = depth_of_estimate({file.path, file.estimate, file.metres_per_step, file.packing}, size,
+                                     sensors::DepthConvention::radial, true_m);
+  sensors::mix_with_truth(true_m, file.estimate.share, map.distance_m);
+  return true_m;
+}
 
 /// Texels outside the scanner's elevations or its range see nothing.
 void blind(DepthMap& map, const PanoramaSource& source) {
@@ -120,7 +134,10 @@ MeasuredMap capture_panorama(const Geometry& truth, const DepthSettings& setting
   const int finer = merges ? factor : 1;
   made.map = capture_depth(truth, settings.width_px * finer, settings.yaw_texels * finer, threads);
   if (merges) made.map = reduced(made.map, source.reduction, factor, threads);
+  std::vector<float> true_m;
+  if (source.file) true_m = put_estimate(*source.file, made.map);
   blind(made.map, source);
+  if (source.file) add_depth_error(sensors::depth_error(made.map.distance_m, true_m), made.depth_error);
   made.counts.measured = std::count_if(made.map.distance_m.begin(), made.map.distance_m.end(),
                                        [](float distance_m) { return !is_hole(distance_m); });
   if (source.noise)
@@ -318,7 +335,10 @@ SensorCounts panorama_counts(const Geometry& truth, DepthSettings settings, int 
 
 MeasuredPanorama panorama_mesh(const Geometry& truth, const DepthSettings& settings, int threads) {
   MeasuredMap captured = capture_panorama(truth, settings, threads);
-  MeasuredPanorama made{.map = std::move(captured.map), .mesh = {}, .counts = captured.counts};
+  MeasuredPanorama made{.map = std::move(captured.map),
+                        .mesh = {},
+                        .counts = captured.counts,
+                        .depth_error = captured.depth_error};
   if (!has_boxes(*settings.chain)) {
     made.mesh = map_mesh(made.map, settings, threads);
     return made;

@@ -10,12 +10,13 @@ struct MeasuredPanorama {
   DepthMesh mesh;
   SensorCounts counts;
   std::optional<ModelRecord> model = {};
+  std::optional<DepthErrorRecord> depth_error = {};  ///< of a panorama in a file
 };
 
-/// source -> repair -> mesh of a chain that is a panorama: reduced from a finer map, with generic noise,
-/// repaired as a picture whose left and right edges are neighbours, cut where texels jump. With boxes: the
-/// model of a finer map, which has noise of its own, and a mesh of the texels that it does not explain and
-/// of their neighbours; the map then shows both.
+/// source -> repair -> mesh of a chain that is a panorama: read from a file and mixed with the truth, or
+/// reduced from a finer map, with generic noise; repaired as a picture whose left and right edges are
+/// neighbours, cut where texels jump. With boxes: the model of a finer map, which has noise of its own, and a
+/// mesh of the texels that it does not explain and of their neighbours; the map then shows both.
 [[nodiscard]] MeasuredPanorama panorama_mesh(const Geometry& truth, const DepthSettings& settings,
                                              int threads);
 

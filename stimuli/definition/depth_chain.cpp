@@ -26,20 +26,41 @@ bool is_panorama(const DepthChain& chain) {
 bool is_in_photographs_place(const DepthChain& chain) {
   if (is_panorama(chain) || chain.registration != Registration::none) return true;
   if (chain.calibration_error_m != 0 || chain.delay_ms != 0) return false;
-  const auto pose_of = [](const DepthSource& source) -> const SensorPose& {
-    const auto* file = std::get_if<FileSource>(&source);
-    return file != nullptr ? file->pose : std::get<PinholeSource>(source).pose;
-  };
   return std::all_of(chain.sources.begin(), chain.sources.end(), [&](const DepthSource& source) {
     return pose_of(source).position_m == std::array<double, 3>{0, 0, 0};
   });
+}
+
+bool is_estimated(const DepthSource& source) {
+  return std::visit(Overloaded{[](const PanoramaSource& panorama) { return panorama.file.has_value(); },
+                               [](const PinholeSource&) { return false; },
+                               [](const FileSource& file) { return file.estimate.has_value(); },
+                               [](const StereoSource&) { return true; }},
+                    source);
+}
+
+bool is_estimated(const DepthChain& chain) {
+  return std::any_of(chain.sources.begin(), chain.sources.end(),
+                     [](const DepthSource& source) { return is_estimated(source); });
+}
+
+bool has_stereo(const DepthChain& chain) {
+  return std::any_of(chain.sources.begin(), chain.sources.end(),
+                     [](const DepthSource& source) { return std::holds_alternative<StereoSource>(source); });
+}
+
+SensorPose pose_of(const DepthSource& source) {
+  return std::visit(Overloaded{[](const PanoramaSource&) { return SensorPose{}; },
+                               [](const auto& sensor) { return sensor.pose; }},
+                    source);
 }
 
 const sensors::PinholeCamera* camera_of(const DepthSource& source) {
   using Found = const sensors::PinholeCamera*;
   return std::visit(Overloaded{[](const PanoramaSource&) -> Found { return nullptr; },
                                [](const PinholeSource& pinhole) -> Found { return &pinhole.camera; },
-                               [](const FileSource& file) -> Found { return &file.camera; }},
+                               [](const FileSource& file) -> Found { return &file.camera; },
+                               [](const StereoSource& stereo) -> Found { return &stereo.camera; }},
                     source);
 }
 
@@ -48,7 +69,8 @@ const SourceNoise* noise_of(const DepthSource& source) {
   const auto of = [](const std::optional<SourceNoise>& noise) -> Found { return noise ? &*noise : nullptr; };
   return std::visit(Overloaded{[&](const PanoramaSource& panorama) { return of(panorama.noise); },
                                [&](const PinholeSource& pinhole) { return of(pinhole.noise); },
-                               [](const FileSource&) -> Found { return nullptr; }},
+                               [](const FileSource&) -> Found { return nullptr; },
+                               [](const StereoSource&) -> Found { return nullptr; }},
                     source);
 }
 

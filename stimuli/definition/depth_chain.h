@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sensors/files/depth_file.h"
+#include "sensors/files/estimated_depth.h"
 #include "sensors/frame/depth_test.h"
 #include "sensors/noise/measurement.h"
 #include "sensors/repair/repair.h"
@@ -44,13 +45,42 @@ struct SensorPose {
 /// show if depth were wrong (renderer/depth/budget).
 enum class Reduction { sample, minimum, maximum, median, edge_aware, boxes, jumps, budgeted };
 
+/// Where an estimate's scale and shift come from: stated, or least squares on the true depth, as estimators
+/// of relative depth are judged (Ranftl et al. 2020, Eq. 4).
+enum class EstimateAlignment { stated, least_squares };
+
+/// What a file's values are, where they are estimated, and how much of them is taken: with t the true
+/// distance and e the estimated one, 1 / d = (1 - share) / t + share / e (sensors/files/estimate_error.h).
+struct FileEstimate {
+  sensors::DepthValue value = sensors::DepthValue::metres;
+  EstimateAlignment align = EstimateAlignment::stated;
+  std::optional<double> scale = {};  ///< stated: required of values that are no metres
+  double shift = 0;                  ///< stated
+  double share = 1;
+
+  auto operator<=>(const FileEstimate&) const = default;
+};
+
+/// A panorama that lies in a file, of the width of the depth settings. `{scene}` and `{object}` in its name
+/// stand for a stimulus's own (depth_file_names.h).
+struct PanoramaFile {
+  std::string file;            ///< as written
+  std::filesystem::path path;  ///< resolved; empty where files are not needed
+  std::optional<double> metres_per_step;
+  sensors::DepthPacking packing = sensors::DepthPacking::whole;
+  FileEstimate estimate;
+
+  auto operator<=>(const PanoramaFile&) const = default;
+};
+
 /// A panorama from the photograph's own position, radial; its width is that of the depth settings.
 struct PanoramaSource {
   Reduction reduction = Reduction::sample;
   int reduction_factor = 1;  ///< the finer map has so many times the width; 1 with `sample`
   double lowest_elevation_deg = -90, highest_elevation_deg = 90;  ///< of texel centres; holes outside
   sensors::SensorRange range;
-  std::optional<SourceNoise> noise;  ///< the generic model
+  std::optional<SourceNoise> noise;       ///< the generic model
+  std::optional<PanoramaFile> file = {};  ///< none: captured from the truth
 
   auto operator<=>(const PanoramaSource&) const = default;
 };
@@ -68,7 +98,7 @@ struct PinholeSource {
   auto operator<=>(const PinholeSource&) const = default;
 };
 
-/// A depth map that lies in a file, and what the file does not say of itself.
+/// A depth map that lies in a file, and what the file does not say of itself. Its name as of PanoramaFile.
 struct FileSource {
   std::string file;            ///< as written
   std::filesystem::path path;  ///< resolved; empty where files are not needed
@@ -78,11 +108,27 @@ struct FileSource {
   SensorPose pose;
   std::optional<double> metres_per_step;
   sensors::DepthPacking packing = sensors::DepthPacking::whole;
+  std::optional<FileEstimate> estimate = {};  ///< none: measured distances, which are compared with nothing
 
   auto operator<=>(const FileSource&) const = default;
 };
 
-using DepthSource = std::variant<PanoramaSource, PinholeSource, FileSource>;
+/// Two cameras side by side whose pictures are rendered and matched (semi-global matching). Depth is that of
+/// the left one, planar.
+struct StereoSource {
+  sensors::PinholeCamera camera;  ///< of both; without a lens
+  sensors::SensorRange range;
+  SensorPose pose;             ///< of the left one
+  double baseline_m = 0;       ///< from the left one to its right
+  int disparities_px = 64;     ///< that are searched, from 0: a multiple of 16. Nearer things are not found
+  int block_px = 5;            ///< side of the compared blocks; odd
+  int samples_per_pixel = 64;  ///< of the pictures
+  double share = 1;            ///< as of FileEstimate
+
+  auto operator<=>(const StereoSource&) const = default;
+};
+
+using DepthSource = std::variant<PanoramaSource, PinholeSource, FileSource, StereoSource>;
 
 /// How depth is brought into the photograph's camera: not (the mesh is placed by the sensor's pose), point by
 /// point, or as a mesh that is looked at from there.
@@ -136,7 +182,7 @@ struct DepthChain {
 [[nodiscard]] std::string_view word(RepairGuide guide);
 [[nodiscard]] std::string_view word(Registration registration);
 [[nodiscard]] std::string_view word(Jumps jumps);
-/// "panorama", "pinhole", "file".
+/// "panorama", "pinhole", "file", "stereo". A panorama in a file is a panorama.
 [[nodiscard]] std::string_view kind_of(const DepthSource& source);
 /// "none", "nearest", "median", "joint_bilateral", "planes".
 [[nodiscard]] std::string_view word(const sensors::RepairMethod& repair);
@@ -152,7 +198,14 @@ struct DepthChain {
 /// Whether all depth is that of the photograph's own place, so that its pixels can be compared with the
 /// photograph's: registered, or captured from there by a sensor that is believed to be there.
 [[nodiscard]] bool is_in_photographs_place(const DepthChain& chain);
-/// Camera of a pinhole or file; null of a panorama.
+/// Whether its depth is estimated, mixed with the truth and judged by it.
+[[nodiscard]] bool is_estimated(const DepthSource& source);
+[[nodiscard]] bool is_estimated(const DepthChain& chain);
+/// Whether a picture of the scene decides its depth.
+[[nodiscard]] bool has_stereo(const DepthChain& chain);
+/// Where the sensor is in the photograph's camera; of a panorama its origin.
+[[nodiscard]] SensorPose pose_of(const DepthSource& source);
+/// Camera of a pinhole, file or stereo; null of a panorama.
 [[nodiscard]] const sensors::PinholeCamera* camera_of(const DepthSource& source);
 /// Noise of a source, null where it has none.
 [[nodiscard]] const SourceNoise* noise_of(const DepthSource& source);

@@ -226,6 +226,18 @@ constexpr std::array<QuantityFacts, every_quantity.size()> table = {{
      .whole = true,
      .digits = 9,
      .decimals = 0},
+    {.key = "estimate_share",
+     .name = "share of the estimated depth",
+     .unit = "",
+     .unit_key = "",
+     .axis = Axis::log2,
+     .noticeability = Direction::increasing,
+     .changes_truth = false,
+     .least = 0,
+     .most = 1,
+     .whole = false,
+     .digits = 1,
+     .decimals = 4},
 }};
 
 }  // namespace

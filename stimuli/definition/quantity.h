@@ -27,15 +27,17 @@ enum class Quantity {
   field_shells,
   object_speed_m_s,
   depth_frames_per_s,
-  depth_samples
+  depth_samples,
+  estimate_share
 };
-inline constexpr std::array<Quantity, 18> every_quantity = {
+inline constexpr std::array<Quantity, 19> every_quantity = {
     Quantity::depth_width_px,        Quantity::texels_per_degree,   Quantity::mesh_tolerance,
     Quantity::sun_radius_deg,        Quantity::depth_noise,         Quantity::outlier_share,
     Quantity::calibration_error_deg, Quantity::calibration_error_m, Quantity::depth_field_of_view_deg,
     Quantity::depth_delay_ms,        Quantity::shadow_map_px,       Quantity::shadow_bias_texels,
     Quantity::light_count,           Quantity::field_bands,         Quantity::field_shells,
-    Quantity::object_speed_m_s,      Quantity::depth_frames_per_s,  Quantity::depth_samples};
+    Quantity::object_speed_m_s,      Quantity::depth_frames_per_s,  Quantity::depth_samples,
+    Quantity::estimate_share};
 
 /// What is known of a quantity: one row of the table in quantity.cpp.
 struct QuantityFacts {

@@ -11,6 +11,7 @@
 
 #include "stimuli/definition/at_level.h"
 #include "stimuli/definition/clip_frames.h"
+#include "stimuli/definition/methods/depth_file_names.h"
 
 namespace seamline::inline stimuli {
 namespace {
@@ -68,7 +69,23 @@ DepthSettings depth_at(DepthSettings depth, Quantity quantity, double level) {
     case Quantity::calibration_error_m:
     case Quantity::depth_field_of_view_deg:
     case Quantity::depth_delay_ms:
+    case Quantity::estimate_share:
       return depth_in_chain_at(std::move(depth), quantity, level);
+  }
+  return depth;
+}
+
+/// Files that a stimulus names have its name.
+DepthSettings with_named_files(DepthSettings depth, const std::string& scene, const std::string& object) {
+  if (!depth.chain) return depth;
+  const auto name = [&](auto& file) {
+    file.file = depth_file_name(file.file, scene, object);
+    file.path = depth_file_name(file.path.string(), scene, object);
+  };
+  for (DepthSource& source : depth.chain->sources) {
+    if (auto* panorama = std::get_if<PanoramaSource>(&source); panorama != nullptr && panorama->file)
+      name(*panorama->file);
+    if (auto* file = std::get_if<FileSource>(&source)) name(*file);
   }
   return depth;
 }
@@ -160,17 +177,18 @@ std::vector<Stimulus> list_every_stimulus(const StudyDefinition& study) {
       for (std::size_t object = 0; object < scene.objects.size(); ++object)
         for (const ConditionDefinition& condition : conditions)
           for (std::size_t level = 0; level < study.level.values.size(); ++level)
-            stimuli.push_back(
-                {.scene = scene.name,
-                 .artifact = artifact,
-                 .object = scene.objects[object].name,
-                 .object_index = static_cast<int>(object) + 1,
-                 .condition = conditions.size() > 1 ? condition.name : std::string(),
-                 .quantity = study.level.quantity,
-                 .level = study.level.values[level],
-                 .depth = depth_at(condition.depth, study.level.quantity, study.level.values[level]),
-                 .isolation = condition.isolation,
-                 .truth = truths.name(condition.name, level)});
+            stimuli.push_back({.scene = scene.name,
+                               .artifact = artifact,
+                               .object = scene.objects[object].name,
+                               .object_index = static_cast<int>(object) + 1,
+                               .condition = conditions.size() > 1 ? condition.name : std::string(),
+                               .quantity = study.level.quantity,
+                               .level = study.level.values[level],
+                               .depth = with_named_files(
+                                   depth_at(condition.depth, study.level.quantity, study.level.values[level]),
+                                   scene.name, scene.objects[object].name),
+                               .isolation = condition.isolation,
+                               .truth = truths.name(condition.name, level)});
   }
   return stimuli;
 }

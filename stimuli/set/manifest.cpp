@@ -77,6 +77,11 @@ Json to_json(const ManifestStimulus& record) {
                              {"boxes", model->boxes},
                              {"explained_share", model->explained_share},
                              {"relative_residual", model->relative_residual}};
+  if (const auto& error = record.mesh.depth_error)
+    json["mesh"]["depth_error"] = {{"compared", error->compared},
+                                   {"abs_rel", error->abs_rel},
+                                   {"rmse_m", error->rmse_m},
+                                   {"within_quarter", error->within_quarter}};
   json["tiny_denominators"] = {{"floored_pixels", record.tiny_denominators.floored_pixels},
                                {"clamped_pixels", record.tiny_denominators.clamped_pixels},
                                {"sealed_pixels", record.tiny_denominators.sealed_pixels},
@@ -200,6 +205,13 @@ ManifestStimulus read_record(const JsonFields& fields) {
                          .boxes = model.get<int>("boxes"),
                          .explained_share = model.get<double>("explained_share"),
                          .relative_residual = model.get<double>("relative_residual")};
+  }
+  if (mesh.has("depth_error")) {
+    const JsonFields error = mesh.object("depth_error");
+    record.mesh.depth_error = {.compared = error.get<std::int64_t>("compared"),
+                               .abs_rel = error.get<double>("abs_rel"),
+                               .rmse_m = error.get<double>("rmse_m"),
+                               .within_quarter = error.get<double>("within_quarter")};
   }
   const JsonFields tiny = fields.object("tiny_denominators");
   record.tiny_denominators = {

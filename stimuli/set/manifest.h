@@ -40,11 +40,21 @@ struct ModelRecord {
   double relative_residual = 0;  ///< root mean square of (measured / model - 1) where it is explained
 };
 
+/// How far estimated depth is from the truth where both have a distance, before any repair: what the field of
+/// depth estimation reports (sensors/files/estimate_error.h).
+struct DepthErrorRecord {
+  std::int64_t compared = 0;  ///< pixels
+  double abs_rel = 0;         ///< mean of |d - d*| / d*
+  double rmse_m = 0;          ///< root of the mean of (d - d*)^2
+  double within_quarter = 0;  ///< "delta 1": share with max(d / d*, d* / d) < 1.25
+};
+
 struct MeshRecord {
   std::int64_t triangles = 0;
   double max_relative_error = 0;  ///< against what was captured, along its rays; 0 for the full mesh
   std::optional<SensorCounts> sensor = {};  ///< none of exact panoramas
   std::optional<ModelRecord> model = {};
+  std::optional<DepthErrorRecord> depth_error = {};  ///< of estimated depth; of several sources together
 };
 
 /// One rendered stimulus as the manifest records it. Paths are relative to the set's folder.

@@ -25,6 +25,16 @@ std::string described(const OcclusionMethod& occlusion) {
       occlusion);
 }
 
+/// How an estimate becomes distances, for people.
+std::string described(const FileEstimate& estimate) {
+  std::string out = fmt::format(", {} values", word_of(estimate.value));
+  if (estimate.value == sensors::DepthValue::metres) out = ", metres";
+  if (estimate.align == EstimateAlignment::least_squares) out += " aligned to the truth by least squares";
+  if (estimate.scale) out += fmt::format(", scale {} shift {}", *estimate.scale, estimate.shift);
+  if (estimate.share != 1) out += fmt::format(", a share of {} beside the truth", estimate.share);
+  return out;
+}
+
 /// A source for people.
 std::string described(const DepthSource& source, int panorama_width_px) {
   if (const auto* panorama = std::get_if<PanoramaSource>(&source)) {
@@ -37,6 +47,7 @@ std::string described(const DepthSource& source, int panorama_width_px) {
     std::string out = panorama_width_px == 0
                           ? "panorama, whose width is the level"
                           : fmt::format("panorama {} x {} px", panorama_width_px, panorama_width_px / 2);
+    if (panorama->file) return out + " in " + panorama->file->file + described(panorama->file->estimate);
     if (panorama->reduction == Reduction::boxes)
       out += fmt::format(", planes and boxes fitted to one {} times as wide in place of what they explain",
                          panorama->reduction_factor);
@@ -46,9 +57,18 @@ std::string described(const DepthSource& source, int panorama_width_px) {
     return out;
   }
   const sensors::PinholeCamera& camera = *camera_of(source);
-  return fmt::format("{} {} x {} px, {:.1f} degrees wide, {:.2f} texels per degree on its axis",
-                     kind_of(source), camera.width_px, camera.height_px,
-                     sensors::horizontal_field_of_view_deg(camera), camera.fx_px * std::numbers::pi / 180);
+  std::string out =
+      fmt::format("{} {} x {} px, {:.1f} degrees wide, {:.2f} texels per degree on its axis", kind_of(source),
+                  camera.width_px, camera.height_px, sensors::horizontal_field_of_view_deg(camera),
+                  camera.fx_px * std::numbers::pi / 180);
+  if (const auto* file = std::get_if<FileSource>(&source); file != nullptr && file->estimate)
+    out += ", " + file->file + described(*file->estimate);
+  if (const auto* stereo = std::get_if<StereoSource>(&source))
+    out += fmt::format(
+        ", baseline {} m, {} disparities, blocks of {} px, {} samples a pixel{}", stereo->baseline_m,
+        stereo->disparities_px, stereo->block_px, stereo->samples_per_pixel,
+        stereo->share == 1 ? std::string() : fmt::format(", a share of {} beside the truth", stereo->share));
+  return out;
 }
 
 }  // namespace

@@ -5,7 +5,29 @@
 namespace seamline::inline stimuli {
 namespace {
 
+DepthSource exact_pinhole(const sensors::PinholeCamera& camera, sensors::DepthConvention convention,
+                          const sensors::SensorRange& range, const SensorPose& pose) {
+  PinholeSource pinhole;
+  pinhole.camera = camera;
+  pinhole.convention = convention;
+  pinhole.range = range;
+  pinhole.pose = pose;
+  return pinhole;
+}
+
+/// Nothing of an estimate is the exact source.
+void drop_unused_estimate(DepthSource& source) {
+  if (auto* panorama = std::get_if<PanoramaSource>(&source))
+    if (panorama->file && panorama->file->estimate.share == 0) panorama->file.reset();
+  if (const auto* stereo = std::get_if<StereoSource>(&source); stereo != nullptr && stereo->share == 0)
+    source = exact_pinhole(stereo->camera, sensors::DepthConvention::planar, stereo->range, stereo->pose);
+  else if (const auto* file = std::get_if<FileSource>(&source);
+           file != nullptr && file->estimate && file->estimate->share == 0)
+    source = exact_pinhole(file->camera, file->convention, file->range, file->pose);
+}
+
 void simplify_source(DepthSource& source) {
+  drop_unused_estimate(source);
   // The generic model is errors and nothing else; the others are instruments, which stay.
   const auto drop_noise = [](std::optional<SourceNoise>& noise) {
     if (noise && noise->scale == 0 && std::holds_alternative<sensors::GenericNoise>(noise->model))
@@ -25,6 +47,13 @@ void simplify_source(DepthSource& source) {
     if (!pinhole->noise || !std::holds_alternative<sensors::StructuredLightNoise>(pinhole->noise->model))
       pinhole->projector_m.reset();
   }
+}
+
+FileEstimate* estimate_in(DepthSource& source) {
+  if (auto* panorama = std::get_if<PanoramaSource>(&source); panorama != nullptr && panorama->file)
+    return &panorama->file->estimate;
+  auto* file = std::get_if<FileSource>(&source);
+  return file != nullptr && file->estimate ? &*file->estimate : nullptr;
 }
 
 bool is_still(const DepthChain& chain) {
@@ -60,6 +89,14 @@ std::string fault_of_jump_ratio(const DepthChain& chain) {
   return chain.jump_ratio > 1 ? "" : "a ratio above 1";
 }
 
+std::string fault_of_disparities(const StereoSource& stereo) {
+  return stereo.disparities_px % 16 == 0 ? "" : "a multiple of 16";
+}
+
+std::string fault_of_block(const StereoSource& stereo) {
+  return stereo.block_px % 2 == 1 ? "" : "an odd number";
+}
+
 std::string_view word(Reduction reduction) {
   return word_of(reduction);
 }
@@ -93,7 +130,7 @@ std::optional<DepthChain> meaningful(DepthChain chain) {
   if (std::holds_alternative<sensors::NoRepair>(chain.repair) || chain.registration == Registration::none)
     chain.repair_after = usual.repair_after;
   if (!has_noise(chain)) chain.noise_sigmas = usual.noise_sigmas;
-  if (!has_noise(chain) && exact_pose) chain.seed = usual.seed;
+  if (!has_noise(chain) && exact_pose && !has_stereo(chain)) chain.seed = usual.seed;
   if (is_still(chain)) {
     chain.delay_ms = 0;
     chain.velocity_m_s = {0, 0, 0};
@@ -103,11 +140,14 @@ std::optional<DepthChain> meaningful(DepthChain chain) {
 }
 
 void set_level(DepthChain& chain, Quantity quantity, double level) {
-  for (DepthSource& source : chain.sources)
+  for (DepthSource& source : chain.sources) {
     if (auto* noise = const_cast<SourceNoise*>(noise_of(source))) {
       set_level_of(*noise, quantity, level);
       std::visit([&](auto& model) { set_level_of(model.outliers, quantity, level); }, noise->model);
     }
+    if (FileEstimate* estimate = estimate_in(source)) set_level_of(*estimate, quantity, level);
+    if (auto* stereo = std::get_if<StereoSource>(&source)) set_level_of(*stereo, quantity, level);
+  }
   set_level_of(chain, quantity, level);
 }
 

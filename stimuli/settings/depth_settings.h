@@ -1,18 +1,18 @@
 #pragma once
+#include "stimuli/settings/estimate_settings.h"
 #include "stimuli/settings/noise_settings.h"
 #include "stimuli/settings/repair_settings.h"
 
 namespace seamline::inline stimuli {
 
 template <>
-inline constexpr std::array<std::string_view, 3> words_of<DepthSource> = {"panorama", "pinhole", "file"};
+inline constexpr std::array<std::string_view, 4> words_of<DepthSource> = {"panorama", "pinhole", "file",
+                                                                          "stereo"};
 template <>
 inline constexpr std::array<std::string_view, 8> words_of<Reduction> = {
     "sample", "minimum", "maximum", "median", "edge_aware", "boxes", "jumps", "budgeted"};
 template <>
 inline constexpr std::array<std::string_view, 2> words_of<sensors::DepthConvention> = {"radial", "planar"};
-template <>
-inline constexpr std::array<std::string_view, 2> words_of<sensors::DepthPacking> = {"whole", "red_green"};
 template <>
 inline constexpr std::array<std::string_view, 2> words_of<RepairGuide> = {"own_light", "photograph"};
 template <>
@@ -25,6 +25,8 @@ inline constexpr std::array<std::string_view, 3> words_of<OcclusionMethod> = {"m
 
 [[nodiscard]] std::string fault_of_far_plane(const sensors::DepthBuffer& buffer);
 [[nodiscard]] std::string fault_of_jump_ratio(const DepthChain& chain);
+[[nodiscard]] std::string fault_of_disparities(const StereoSource& stereo);
+[[nodiscard]] std::string fault_of_block(const StereoSource& stereo);
 
 template <>
 inline constexpr auto settings_of<sensors::LensDistortion> = std::to_array<Setting<sensors::LensDistortion>>({
@@ -146,6 +148,9 @@ inline constexpr auto settings_of<PanoramaSource> = std::to_array<Setting<Panora
     {.key = "", .slot = &PanoramaSource::highest_elevation_deg, .wording = {.before = " "}},
     {.key = "", .slot = part<&PanoramaSource::range>(), .wording = {.written = Written::always}},
     {.key = "", .slot = optional_part<&PanoramaSource::noise>(), .wording = {.written = Written::always}},
+    {.key = "",
+     .slot = optional_part<&PanoramaSource::file>(),
+     .wording = {.written = Written::where_unusual}},
 });
 
 template <>
@@ -177,11 +182,18 @@ template <>
 inline constexpr auto settings_of<FileSource> = std::to_array<Setting<FileSource>>({
     {.key = "file",
      .slot = &FileSource::file,
-     .meaning = "Of a file: the depth map.",
+     .meaning = "Of a file: the depth map. `{scene}` and `{object}` in its name stand for those of a "
+                "stimulus: [one file for each object's photograph](../how-to/estimated_depth.md).",
      .wording = {.before = "file "},
      .is_read_apart = true,
-     .form = "EXR, PNG, PGM",
+     .form = "EXR, PNG, PGM, TIFF, PFM, NPY",
      .usual = "required"},
+    {.key = "projection",
+     .slot = Described{"text"},
+     .meaning =
+         "Of a file: what it is a map of. A panorama is `depth_width_px` wide, radial, and has no camera.",
+     .form = R"(`"pinhole"`, `"panorama"`)",
+     .usual = "`\"pinhole\"`"},
     {.key = "", .slot = part<&FileSource::camera>(), .wording = {.before = " "}},
     {.key = "convention",
      .slot = choice<&FileSource::convention>(),
@@ -200,6 +212,47 @@ inline constexpr auto settings_of<FileSource> = std::to_array<Setting<FileSource
      .slot = choice<&FileSource::packing>(),
      .meaning = "Of a file: `\"red_green\"` where 16 bits lie in two channels.",
      .wording = {.before = " "}},
+    {.key = "",
+     .slot = optional_part<&FileSource::estimate>(),
+     .wording = {.written = Written::where_unusual}},
+});
+
+template <>
+inline constexpr auto settings_of<StereoSource> = std::to_array<Setting<StereoSource>>({
+    {.key = "", .slot = part<&StereoSource::camera>(), .wording = {.before = "stereo "}},
+    {.key = "", .slot = part<&StereoSource::range>(), .wording = {.written = Written::always}},
+    {.key = "", .slot = part<&StereoSource::pose>(), .wording = {.written = Written::always}},
+    {.key = "baseline_m",
+     .slot = &StereoSource::baseline_m,
+     .range = {1e-4, 10, "m"},
+     .meaning = "Of stereo: from the left camera, whose depth it is, to the right one.",
+     .wording = {.before = " baseline "},
+     .is_read_apart = true,
+     .usual = "required"},
+    {.key = "disparities_px",
+     .slot = &StereoSource::disparities_px,
+     .range = {16, 1024, "px, a multiple of 16"},
+     .meaning = "Of stereo: disparities from 0 that are searched. What is nearer than "
+                "`fx baseline_m / disparities_px` is not found.",
+     .wording = {.before = " disparities "},
+     .fault = fault_of_disparities},
+    {.key = "block_px",
+     .slot = &StereoSource::block_px,
+     .range = {1, 21, "px, odd"},
+     .meaning = "Of stereo: side of the blocks that are compared.",
+     .wording = {.before = " block "},
+     .fault = fault_of_block},
+    {.key = "stereo_samples",
+     .slot = &StereoSource::samples_per_pixel,
+     .range = {1, 65536},
+     .meaning = "Of stereo: samples a pixel of its two pictures, which have noise as a camera's do.",
+     .wording = {.before = " samples "}},
+    {.key = "estimate_share",
+     .slot = &StereoSource::share,
+     .range = {0, 1},
+     .meaning = "As of a file.",
+     .wording = {.before = " share ", .written = Written::where_unusual},
+     .level = Quantity::estimate_share},
 });
 
 /// Of `occlusion = "depth_buffer"`.
@@ -310,5 +363,6 @@ inline constexpr auto settings_of<DepthChain> = std::to_array<Setting<DepthChain
 });
 static_assert(are_sound<DepthChain>(settings_of<DepthChain>));
 static_assert(are_sound<PinholeSource>(settings_of<PinholeSource>));
+static_assert(are_sound<StereoSource>(settings_of<StereoSource>));
 
 }  // namespace seamline::inline stimuli

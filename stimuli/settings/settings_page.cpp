@@ -148,8 +148,8 @@ std::string repair_table() {
 std::string table_named(const std::string& name) {
   if (name == "study") return table_of<StudyDefinition, DepthSettings>();
   if (name == "depth")
-    return table_of<sensors::PinholeCamera, sensors::SensorRange, PinholeSource, FileSource, PanoramaSource,
-                    DepthChain, sensors::DepthBuffer>();
+    return table_of<sensors::PinholeCamera, sensors::SensorRange, PinholeSource, FileSource, FileEstimate,
+                    StereoSource, PanoramaSource, DepthChain, sensors::DepthBuffer>();
   if (name == "depth.pose") return table_of<SensorPose>();
   if (name == "depth.noise") return noise_table();
   if (name == "depth.repair") return repair_table();

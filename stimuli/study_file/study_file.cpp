@@ -80,6 +80,7 @@ std::map<Artifact, double> usual_midpoints(const LevelDefinition& level) {
     case Quantity::field_shells:
     case Quantity::object_speed_m_s:
     case Quantity::depth_frames_per_s:
+    case Quantity::estimate_share:
       return midpoint;  // nobody knows
   }
   return midpoint;
@@ -174,7 +175,8 @@ void require_a_set_that_can_be_read(const TomlTable& table, const StudyDefinitio
                           fmt::format("{}", stimuli));
 }
 
-StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& folders, AssetCheck assets) {
+StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& folders, AssetCheck check) {
+  const AssetCheck assets = check == AssetCheck::all_but_depth ? AssetCheck::must_exist : check;
   const std::filesystem::path& path = folders.study_file;
   check_format(table);
   StudyDefinition study;
@@ -205,7 +207,7 @@ StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& fol
   if (study.conditions.empty())
     require_level_in_chain(table, study.depth.chain, study.depth.width_px, study.level,
                            study.clip != nullptr);
-  if (assets == AssetCheck::must_exist) find_depth_files(study, folders);
+  if (check == AssetCheck::must_exist) find_depth_files(study, folders);
   check_level_is_seen(table, study);
   check_mesh_albedo_is_seen(table, study);
   check_mitigations_are_seen(table, study);

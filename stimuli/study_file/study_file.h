@@ -9,8 +9,9 @@ namespace seamline::inline stimuli {
 
 /// What a reader of a study file needs of the files it names.
 enum class AssetCheck {
-  must_exist,  ///< rendering: every named file must be there
-  not_needed   ///< sessions and analysis: only the definition is read
+  must_exist,    ///< rendering: every named file must be there
+  not_needed,    ///< sessions and analysis: only the definition is read
+  all_but_depth  ///< photographs for an estimator, whose depth maps are not there yet
 };
 
 /// Reads a study file (TOML, `format = "seamline study 1"`). Strict: an unknown or misspelt key, a wrong type

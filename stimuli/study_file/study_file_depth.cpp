@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "stimuli/definition/methods/depth_file_names.h"
 #include "stimuli/definition/moving/clip_definition.h"
 #include "stimuli/settings/depth_settings.h"
 #include "stimuli/settings/read_settings.h"
@@ -134,6 +135,7 @@ void refuse_levels(const TomlTable& table, Quantity level) {
                           "a setting of its own");
   refuse_level<DepthChain>(table, level);
   refuse_level<sensors::PinholeCamera>(table, level);
+  refuse_level<FileEstimate>(table, level);
   if (!table.has("noise") || table.is_text("noise")) return;
   const TomlTable noise = *table.table("noise");
   refuse_level<SourceNoise>(noise, level);
@@ -151,7 +153,7 @@ std::optional<DepthChain> read_depth_chain(const TomlTable& settings, const std:
   refuse_levels(*table, level.quantity);
   if (table->has("source") && !table->is_text("source"))
     for (const TomlTable& one : table->tables("source")) refuse_levels(one, level.quantity);
-  chain.sources = read_sources(*table, chain.sources);
+  chain.sources = read_sources(*table, chain.sources, level.quantity);
   read_repair(*table, chain);
   read_settings(*table, chain);
   read_buffer(*table, chain);
@@ -192,13 +194,22 @@ void require_level_in_chain(const TomlTable& settings, const std::optional<Depth
                      fmt::format("{} x {}", camera.width_px, camera.height_px));
     }
   };
+  const auto require_captured = [&] {
+    if (chain && !sensor && is_estimated(*chain))
+      throw wanted("a panorama that is captured at any width", "one that lies in a file");
+  };
   switch (level.quantity) {
     case Quantity::depth_width_px:
     case Quantity::depth_samples:
       if (sensor) throw wanted("a panorama", "a " + std::string(kind_of(chain->sources.front())));
+      require_captured();
       break;
     case Quantity::texels_per_degree:
       if (sensor) require_sizes(with_texels_per_degree);
+      require_captured();
+      break;
+    case Quantity::estimate_share:
+      if (!chain || !is_estimated(*chain)) throw wanted("source = \"file\" or \"stereo\"", "exact depth");
       break;
     case Quantity::depth_noise:
     case Quantity::outlier_share:
@@ -239,12 +250,39 @@ void require_level_in_chain(const TomlTable& settings, const std::optional<Depth
                              fmt::format("{} x {} px", factor, widest_px));
 }
 
+namespace {
+
+/// A file, or one for each stimulus that names it: then the path keeps the places of the names.
+template <class File>
+void find_depth_file(File& file, const StudyDefinition& study, const AssetFolders& folders) {
+  if (!is_named_by_stimulus(file.file)) {
+    file.path = resolve_asset(file.file, folders, "depth.file");
+    return;
+  }
+  for (const SceneDefinition& scene : study.scenes)
+    for (const ObjectDefinition& object : scene.objects) {
+      const std::string name = depth_file_name(file.file, scene.name, object.name);
+      const std::string found = resolve_asset(name, folders, "depth.file").string();
+      const std::filesystem::path path = found.substr(0, found.size() - name.size()) + file.file;
+      if (!file.path.empty() && file.path != path)
+        throw input_error({.file = folders.study_file.string(),
+                           .field = "depth.file",
+                           .wanted = "all of its files in one folder",
+                           .found = found + " in another"});
+      file.path = path;
+    }
+}
+
+}  // namespace
+
 void find_depth_files(StudyDefinition& study, const AssetFolders& folders) {
   const auto find = [&](std::optional<DepthChain>& chain) {
     if (!chain) return;
-    for (DepthSource& source : chain->sources)
-      if (auto* file = std::get_if<FileSource>(&source))
-        file->path = resolve_asset(file->file, folders, "depth.file");
+    for (DepthSource& source : chain->sources) {
+      if (auto* panorama = std::get_if<PanoramaSource>(&source); panorama != nullptr && panorama->file)
+        find_depth_file(*panorama->file, study, folders);
+      if (auto* file = std::get_if<FileSource>(&source)) find_depth_file(*file, study, folders);
+    }
   };
   find(study.depth.chain);
   for (ConditionDefinition& condition : study.conditions) find(condition.depth.chain);

@@ -9,8 +9,11 @@
 #include <numbers>
 
 #include "sensors/rig/presets.h"
+#include "stimuli/definition/methods/depth_file_names.h"
 #include "stimuli/settings/depth_settings.h"
 #include "stimuli/settings/read_settings.h"
+#include "stimuli/study_file/parts/study_file_camera.h"
+#include "stimuli/study_file/parts/study_file_estimate.h"
 #include "stimuli/study_file/study_file_noise.h"
 #include "stimuli/study_file/study_file_words.h"
 #include "support/text/suggest.h"
@@ -18,100 +21,11 @@
 namespace seamline::inline stimuli {
 namespace {
 
-constexpr Range side_range{2, 8192, "px"}, distance_range{0, 1e9, "m"};
 constexpr std::size_t most_sources = 8;
 constexpr int usual_reduction_factor = 4;
 
 // Keys of one source, by what they are for.
-constexpr std::array camera_keys = {
-    "size_px", "fx", "fy", "cx", "cy", "skew", "distortion", "field_of_view_deg", "texels_per_degree"};
-constexpr std::array sensor_keys = {"convention", "pose"};
-constexpr std::array panorama_keys = {"reduction", "reduction_factor"};
-constexpr std::array file_keys = {"file", "metres_per_step", "packing"};
-constexpr std::array noise_keys = {"noise", "projector_m"};
 constexpr std::array all_kinds_keys = {"preset", "range_m"};
-
-template <class Keys>
-void refuse_keys(const TomlTable& table, const Keys& keys, const std::string& wanted) {
-  for (const char* key : keys)
-    if (table.has(key)) throw table.complaint(key, wanted, "a setting of its own");
-}
-
-sensors::SensorRange read_range_m(const TomlTable& table, const sensors::SensorRange& usual) {
-  if (!table.has("range_m")) return usual;
-  const std::vector<double> ends = table.numbers("range_m", distance_range);
-  if (ends.size() != 2 || !(ends[0] < ends[1]))
-    throw table.complaint(
-        "range_m", "two distances, the nearest and a larger one",
-        fmt::format("{} numbers{}", ends.size(), ends.size() == 2 ? " that do not rise" : ""));
-  return {.nearest_m = ends[0], .farthest_m = ends[1]};
-}
-
-void read_size(const TomlTable& table, bool known, sensors::PinholeCamera& camera) {
-  if (!table.has("size_px")) {
-    if (!known) throw table.complaint("size_px", "width and height of the depth map", "nothing");
-    return;
-  }
-  const std::vector<int> size = table.integers("size_px", side_range);
-  if (size.size() != 2 || size[0] % 2 != 0)
-    throw table.complaint("size_px", "two whole numbers, the first an even one: [width, height]",
-                          size.size() == 2 ? fmt::format("[{}, {}]", size[0], size[1])
-                                           : fmt::format("an array of {}", size.size()));
-  camera = resized(camera, size[0], size[1]);
-}
-
-/// One way to say how wide the camera looks; fx = fy but where `fy` says otherwise.
-void read_focal_lengths(const TomlTable& table, bool known, sensors::PinholeCamera& camera) {
-  constexpr std::array ways = {"field_of_view_deg", "texels_per_degree", "fx"};
-  const auto given = std::count_if(ways.begin(), ways.end(), [&](const char* key) { return table.has(key); });
-  if (given > 1)
-    throw table.complaint("field_of_view_deg", "one of field_of_view_deg, texels_per_degree and fx",
-                          "several");
-  if (given == 0 && !known)
-    throw table.complaint("fx", "fx, field_of_view_deg or texels_per_degree of the pinhole", "none of them");
-  constexpr Range focal_range{1e-3, 1e6, "pixels"};
-  if (table.has("fx")) camera.fx_px = camera.fy_px = table.number("fx", 0, focal_range);
-  if (table.has("field_of_view_deg")) {
-    const double deg = table.number("field_of_view_deg", 0, {1, 170, "degrees"});
-    camera.fx_px = camera.fy_px =
-        sensors::pinhole_of_field_of_view(camera.width_px, camera.height_px, deg).fx_px;
-  }
-  if (table.has("texels_per_degree"))
-    camera.fx_px = camera.fy_px =
-        table.number("texels_per_degree", 0, {1e-3, 1e4, "texels per degree"}) * 180 / std::numbers::pi;
-  if (table.has("fy")) {
-    if (given > 0 && !table.has("fx"))
-      throw table.complaint("fy", "fx beside it, or neither", "another way to say how wide the camera looks");
-    camera.fy_px = table.number("fy", 0, focal_range);
-  }
-}
-
-sensors::PinholeCamera read_camera(const TomlTable& table, const sensors::PinholeCamera& usual, bool known) {
-  sensors::PinholeCamera camera = usual;
-  read_size(table, known, camera);
-  read_focal_lengths(table, known, camera);
-  if (!known) {
-    camera.cx_px = 0.5 * camera.width_px;
-    camera.cy_px = 0.5 * camera.height_px;
-  }
-  read_settings(table, camera);
-  if (table.has("distortion")) {
-    const std::vector<double> k = table.numbers("distortion", {-1e3, 1e3});
-    if (k.size() != 5)
-      throw table.complaint("distortion", "five numbers: k1, k2, p1, p2, k3", fmt::format("{}", k.size()));
-    camera.distortion = {.k1 = k[0], .k2 = k[1], .p1 = k[2], .p2 = k[3], .k3 = k[4]};
-  }
-  return camera;
-}
-
-SensorPose read_pose(const TomlTable& table, const SensorPose& usual) {
-  const auto pose = table.table("pose");
-  if (!pose) return usual;
-  SensorPose read = usual;
-  read_settings(*pose, read);
-  pose->finish();
-  return read;
-}
 
 /// Angles R = Ry(yaw) Rx(pitch) Rz(roll) of a rotation.
 std::array<double, 3> angles_deg(const Eigen::Matrix3d& r) {
@@ -158,10 +72,10 @@ const Sensor* sensor_of(const TomlTable& table, const char* kind) {
 }
 
 PanoramaSource read_panorama(const TomlTable& table, PanoramaSource source) {
-  constexpr const char* none = "nothing: a panorama is the photograph's own camera all round";
-  refuse_keys(table, camera_keys, none);
-  refuse_keys(table, sensor_keys, none);
-  refuse_keys(table, file_keys, "source = \"file\" beside it");
+  refuse_keys(table, camera_keys, no_key_of_panorama);
+  refuse_keys(table, sensor_keys, no_key_of_panorama);
+  refuse_file(table);
+  refuse_stereo(table);
   if (const auto* scanner = sensor_of<sensors::Scanner>(table, "panorama")) {
     source = {};
     take_model(scanner->noise, source.range, source.noise.emplace());
@@ -192,7 +106,8 @@ PanoramaSource read_panorama(const TomlTable& table, PanoramaSource source) {
 
 PinholeSource read_pinhole(const TomlTable& table, PinholeSource source, bool known) {
   refuse_keys(table, panorama_keys, "a panorama: a pinhole's pixels are what the sensor measures");
-  refuse_keys(table, file_keys, "source = \"file\" beside it");
+  refuse_file(table);
+  refuse_stereo(table);
   if (const auto* rig = sensor_of<sensors::Rig>(table, "pinhole")) {
     source = {};
     known = true;
@@ -224,9 +139,10 @@ PinholeSource read_pinhole(const TomlTable& table, PinholeSource source, bool kn
   return source;
 }
 
-FileSource read_file_source(const TomlTable& table, FileSource source, bool known) {
+FileSource read_file_source(const TomlTable& table, FileSource source, bool known, bool share_is_level) {
   refuse_keys(table, panorama_keys, "a panorama: a file is taken as it is");
   refuse_keys(table, noise_keys, "nothing: the depths of a file have their noise already");
+  refuse_stereo(table);
   if (table.has("preset"))
     throw table.complaint("preset", "size_px and fx of the camera that made the file", "a preset");
   source.file = known ? table.text("file", source.file) : table.text("file");
@@ -237,35 +153,44 @@ FileSource read_file_source(const TomlTable& table, FileSource source, bool know
   source.range = read_range_m(table, source.range);
   source.pose = read_pose(table, source.pose);
   read_settings(table, source);
+  if (source.estimate || share_is_level || is_named_by_stimulus(source.file) || names_estimate(table))
+    source.estimate =
+        read_estimate(table, source.estimate.value_or(FileEstimate{}), source.metres_per_step.has_value());
   return source;
 }
 
 /// `usual` is null where nothing is known of the source before.
-DepthSource read_source(const TomlTable& table, const char* kind_key, const DepthSource* usual) {
+DepthSource read_source(const TomlTable& table, const char* kind_key, const DepthSource* usual,
+                        Quantity level) {
   DepthSource source = usual != nullptr ? *usual : PanoramaSource{};
   const std::size_t usual_kind = source.index();
   const bool is_named = table.has(kind_key);
   if (is_named) settings::set_place(source, read_word(table, kind_key, words_of<DepthSource>));
+  if (is_panorama_file(table, source)) {
+    const auto* before = std::get_if<PanoramaSource>(&source);
+    return read_panorama_file(table, before != nullptr ? *before : PanoramaSource{});
+  }
   const bool known = usual != nullptr && !is_named && source.index() == usual_kind;
   return std::visit(
       Overloaded{[&](const PanoramaSource& one) -> DepthSource { return read_panorama(table, one); },
                  [&](const PinholeSource& one) -> DepthSource { return read_pinhole(table, one, known); },
-                 [&](const FileSource& one) -> DepthSource { return read_file_source(table, one, known); }},
+                 [&](const FileSource& one) -> DepthSource {
+                   return read_file_source(table, one, known, level == Quantity::estimate_share);
+                 },
+                 [&](const StereoSource& one) -> DepthSource { return read_stereo(table, one, known); }},
       source);
-}
-
-template <class Keys>
-bool has_any(const TomlTable& table, const Keys& keys) {
-  return std::any_of(keys.begin(), keys.end(), [&](const char* key) { return table.has(key); });
 }
 
 }  // namespace
 
-std::vector<DepthSource> read_sources(const TomlTable& table, const std::vector<DepthSource>& usual) {
+std::vector<DepthSource> read_sources(const TomlTable& table, const std::vector<DepthSource>& usual,
+                                      Quantity level) {
   if (!table.has("source") || table.is_text("source")) {
-    if (table.has("source") || usual.size() == 1) return {read_source(table, "source", &usual.front())};
+    if (table.has("source") || usual.size() == 1)
+      return {read_source(table, "source", &usual.front(), level)};
     if (has_any(table, camera_keys) || has_any(table, sensor_keys) || has_any(table, panorama_keys) ||
-        has_any(table, file_keys) || has_any(table, noise_keys) || has_any(table, all_kinds_keys))
+        has_any(table, file_keys) || has_any(table, noise_keys) || has_any(table, all_kinds_keys) ||
+        names_estimate(table) || names_stereo(table))
       throw table.complaint("source", "the sources whose keys these are: the study has several", "nothing");
     return usual;
   }
@@ -276,14 +201,16 @@ std::vector<DepthSource> read_sources(const TomlTable& table, const std::vector<
   refuse_keys(table, file_keys, in_list);
   refuse_keys(table, noise_keys, in_list);
   refuse_keys(table, all_kinds_keys, in_list);
+  if (names_estimate(table) || names_stereo(table))
+    throw table.complaint("source", in_list, "an estimate's key");
   std::vector<DepthSource> sources;
   for (const TomlTable& one : table.tables("source")) {
-    if (!one.has("kind")) throw one.complaint("kind", "\"pinhole\" or \"file\"", "nothing");
-    sources.push_back(read_source(one, "kind", nullptr));
+    if (!one.has("kind")) throw one.complaint("kind", "\"pinhole\", \"file\" or \"stereo\"", "nothing");
+    sources.push_back(read_source(one, "kind", nullptr, level));
     if (std::holds_alternative<PanoramaSource>(sources.back()))
-      throw one.complaint("kind",
-                          "\"pinhole\" or \"file\": a panorama sees everything and is the only source",
-                          "\"panorama\"");
+      throw one.complaint(
+          "kind", "\"pinhole\", \"file\" or \"stereo\": a panorama sees everything and is the only source",
+          "\"panorama\"");
     one.finish();
   }
   if (sources.size() > most_sources)

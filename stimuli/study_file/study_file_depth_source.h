@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "stimuli/definition/depth_chain.h"
+#include "stimuli/definition/quantity.h"
 #include "stimuli/study_file/study_file_words.h"
 
 namespace seamline::inline stimuli {
@@ -10,6 +11,6 @@ namespace seamline::inline stimuli {
 /// tables, each with a `kind`. What it leaves out is the usual source's; another `source` or `preset` begins
 /// anew. Throws InputError for keys that the kind of source has no use for.
 [[nodiscard]] std::vector<DepthSource> read_sources(const TomlTable& depth,
-                                                    const std::vector<DepthSource>& usual);
+                                                    const std::vector<DepthSource>& usual, Quantity level);
 
 }  // namespace seamline::inline stimuli

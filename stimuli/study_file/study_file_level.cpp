@@ -90,6 +90,7 @@ void check_level(const TomlTable& table, const char* key, Quantity quantity, dou
     case Quantity::field_shells:
     case Quantity::object_speed_m_s:
     case Quantity::depth_frames_per_s:
+    case Quantity::estimate_share:
       break;
   }
 }
@@ -166,6 +167,9 @@ void read_depth_keys(const TomlTable& table, const LevelDefinition& level, Depth
   }
   if (!width_is_level(level.quantity)) depth.width_px = read_width(table, depth.width_px);
   read_setting(table, "yaw_texels", depth);
+  if (depth.yaw_texels != 0 && depth.chain && is_estimated(*depth.chain))
+    throw table.complaint("yaw_texels", "0 beside a panorama in a file, whose grid is the file's",
+                          fmt::format("{}", depth.yaw_texels));
 }
 
 std::string read_condition_name(const TomlTable& table) {

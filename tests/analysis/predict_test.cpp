@@ -54,7 +54,7 @@ TEST(Predict, CellsAreTheObserversExpectedMeansOverObjects) {
       predict_artifacts(study.manifest, study.differences, observer);
   ASSERT_EQ(artifacts.size(), 3U);  // none is not a seam
   const PredictedCell& cell = find(artifacts, Artifact::receiver).cells[2];
-  EXPECT_EQ(cell.width_px, 256);
+  EXPECT_EQ(cell.level, 256);
   EXPECT_NEAR(cell.visible_difference, 60.0 / 256, 1e-12);
   EXPECT_NEAR(cell.expected_noticeability,
               (expected_noticeability_of_difference(observer, 40.0 / 256) +

@@ -53,9 +53,11 @@ const std::map<std::string, std::string> hashes = {
 /// Of studies that came later.
 const std::map<std::string, std::string> later_hashes = {
     {"stimuli/budgeted_depth.toml", "ebef589f3fcccd0b371ba493dbfc160cb0442d332335369aef240e67daa831c9"},
+    {"stimuli/estimated_depth.toml", "9cdc1f160ed37e35d9ecdf711f2cf96095434141310830b333caaf8de228a5b7"},
     {"stimuli/late_depth.toml", "0455c8fd8e261395596007a33ea40b9232cead752653207a0fc411acb96ba7bc"},
     {"stimuli/moving_objects.toml", "9f74862e368a386fdfbfb81dbaff29450b5574056bfb7b045f253a14e3ad222a"},
     {"stimuli/pair.toml", "038727b16095894d418fc454c1f754a73b0b084ecae2db27914a150c0732c34a"},
+    {"stimuli/stereo_depth.toml", "0410ee47610aff900afa296c63498ec4e41462da7d0493b72ee97f61e3102d4e"},
     {"stimuli/two_observers.toml", "1f8a934e11cd570813a4344632cbc7135cff035cc7e213250251b4ebdb435c50"},
     {"stimuli/look_round.toml", "3dec19ac12893836b66e61e7835341f63e4610747f2fd68e7c5a699d3fe1d0f6"},
 };

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <optional>
 
+#include "stimuli/set/depth_errors.h"
 #include "stimuli/set/level_notes.h"
 #include "stimuli/set/manifest_pictures.h"
 #include "support/files/atomic_file.h"
@@ -168,7 +169,10 @@ StimulusSamples sample_stimuli(const Analysis& analysis, const std::filesystem::
 std::vector<std::string> notes_on_depth(const study::LogContents& log) {
   try {
     if (log.set_folder.empty() || set_hash(log.set_folder) != log.set_hash) return {};
-    return sentences(holes_of_set(read_manifest(log.set_folder)));
+    const Manifest manifest = read_manifest(log.set_folder);
+    std::vector<std::string> notes = sentences(holes_of_set(manifest));
+    for (std::string& said : sentences(depth_errors_of_set(manifest))) notes.push_back(std::move(said));
+    return notes;
   } catch (const InputError&) {
     return {};  // `sample_stimuli` says so
   }

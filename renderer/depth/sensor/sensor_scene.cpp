@@ -6,6 +6,7 @@
 #include "registration/mesh/register_by_mesh.h"
 #include "registration/pictures/photograph.h"
 #include "registration/points/register_by_points.h"
+#include "renderer/depth/sensor/estimated_map.h"
 #include "renderer/depth/sensor/pixel_mesh.h"
 #include "renderer/depth/sensor/second_layer.h"
 #include "renderer/depth/sensor/sensor_pose.h"
@@ -22,6 +23,7 @@ struct Captured {
   std::int64_t measured = 0, outliers = 0;
   double relative_sigma = 0;        ///< of its noise, the median over what was seen
   std::optional<Image> guide = {};  ///< of a joint bilateral repair
+  std::optional<sensors::DepthError> error = {};
 };
 
 /// The model as this camera has it.
@@ -71,6 +73,7 @@ struct Capture {
   const Eigen::Isometry3d& world_from_photograph;
   std::uint64_t frame;
   int threads;
+  const std::map<std::size_t, sensors::DepthFrame>* stereo = nullptr;
 
   /// By what the sensor itself sees.
   [[nodiscard]] bool guided() const { return is_guided(chain) && !guided_by_photograph(chain); }
@@ -99,7 +102,36 @@ struct Capture {
     return captured;
   }
 
+  /// An estimate, and what it is compared with; `depth_of` the truth in the source's convention.
+  template <class Source, class DepthOf>
+  [[nodiscard]] Captured estimated(const Source& source, sensors::DepthConvention convention, double share,
+                                   const DepthOf& depth_of) const {
+    const SeenFrame seen =
+        see_truth(truth, source.camera, world_from_photograph * photograph_from_sensor(source.pose),
+                  {.surfaces = guided()}, threads);
+    Captured captured{.frame = sensors::true_depth(seen, convention)};
+    if (guided()) captured.guide = headlight_picture(seen);
+    const std::vector<float> true_m = captured.frame.depth_m;
+    captured.frame.depth_m = depth_of(true_m);
+    sensors::mix_with_truth(true_m, share, captured.frame.depth_m);
+    sensors::clean_holes(captured.frame, source.range.nearest_m, source.range.farthest_m);
+    captured.measured = count_depths(captured.frame);
+    captured.error = sensors::depth_error(captured.frame.depth_m, true_m);
+    return captured;
+  }
+
+  Captured operator()(const StereoSource& source) const {
+    return estimated(source, sensors::DepthConvention::planar, source.share,
+                     [&](const std::vector<float>& /*true_m*/) { return stereo->at(frame).depth_m; });
+  }
+
   Captured operator()(const FileSource& source) const {
+    if (source.estimate)
+      return estimated(
+          source, source.convention, source.estimate->share, [&](const std::vector<float>& true_m) {
+            return depth_of_estimate({source.path, *source.estimate, source.metres_per_step, source.packing},
+                                     source.camera, source.convention, true_m);
+          });
     sensors::DepthFileForm form{.camera = source.camera,
                                 .convention = source.convention,
                                 .metres_per_step = source.metres_per_step,
@@ -156,11 +188,6 @@ Registered register_frame(const sensors::DepthFrame& frame, const SensorPose& po
   return {{frame, world * believed}, world * photograph_from_sensor(pose)};
 }
 
-const SensorPose& pose_of(const DepthSource& source) {
-  if (const auto* file = std::get_if<FileSource>(&source)) return file->pose;
-  return std::get<PinholeSource>(source).pose;
-}
-
 }  // namespace
 
 namespace {
@@ -204,7 +231,8 @@ SensorCounts sensor_counts(const Geometry& truth, const DepthChain& chain, const
   const Eigen::Isometry3d world = world_from_photograph(photograph);
   SensorCounts counts;
   for (std::size_t i = 0; i < chain.sources.size(); ++i)
-    count(std::visit(Capture{truth, chain, world, i, threads}, chain.sources[i]), counts);
+    if (!std::holds_alternative<StereoSource>(chain.sources[i]))
+      count(std::visit(Capture{truth, chain, world, i, threads}, chain.sources[i]), counts);
   return counts;
 }
 
@@ -215,8 +243,9 @@ MeasuredMesh sensor_mesh(const Geometry& truth, const DepthSettings& settings,
   MeasuredMesh made;
   for (std::size_t i = 0; i < chain.sources.size(); ++i) {
     const DepthSource& source = chain.sources[i];
-    const Captured captured = std::visit(Capture{truth, chain, world, i, threads}, source);
+    const Captured captured = std::visit(Capture{truth, chain, world, i, threads, photograph.stereo}, source);
     count(captured, made.counts);
+    if (captured.error) add_depth_error(*captured.error, made.depth_error);
     const auto mended = [&](const sensors::DepthFrame& frame, const std::optional<Image>& guide) {
       sensors::Repaired repaired = sensors::repair(frame, chain.repair, guide ? &*guide : nullptr, threads);
       made.counts.invented += repaired.count(sensors::RepairMark::invented);

@@ -1,4 +1,6 @@
 #pragma once
+#include <map>
+#include <optional>
 #include <vector>
 
 #include "raytracer/scene/camera.h"
@@ -16,6 +18,7 @@ struct MeasuredMesh {
   DepthMesh mesh;
   SensorCounts counts;
   std::vector<PlacedFrame> frames = {};
+  std::optional<DepthErrorRecord> depth_error = {};  ///< of estimated sources together
 };
 
 /// The photograph that a virtual object is put into: its camera, and what it shows without that object, where
@@ -23,6 +26,9 @@ struct MeasuredMesh {
 struct SeenPhotograph {
   Camera camera;
   const Image* picture = nullptr;
+  /// What matching found for each stereo source, by the place of the source in the chain; null where there is
+  /// none (renderer/estimators/stereo_depth.h).
+  const std::map<std::size_t, sensors::DepthFrame>* stereo = nullptr;
 
   SeenPhotograph(const Camera& of, const Image* shows = nullptr) : camera(of), picture(shows) {}
 };
@@ -33,7 +39,8 @@ struct SeenPhotograph {
 [[nodiscard]] MeasuredMesh sensor_mesh(const Geometry& truth, const DepthSettings& settings,
                                        const SeenPhotograph& photograph, int threads);
 
-/// The pixels of all sources of such a chain before any repair; no mesh is made. Throws InputError likewise.
+/// The pixels of all sources of such a chain before any repair; no mesh is made; stereo is left out. Throws
+/// InputError likewise.
 [[nodiscard]] SensorCounts sensor_counts(const Geometry& truth, const DepthChain& chain,
                                          const Camera& photograph, int threads);
 

@@ -82,9 +82,10 @@ std::optional<ClipRefusal> refusal_of(const ConditionDefinition& condition) {
         "depth", "depth without noise in a study with [clip]: noise would have to be new in every frame",
         "a source with noise"};
   for (const DepthSource& source : condition.depth.chain->sources)
-    if (std::holds_alternative<FileSource>(source))
-      return ClipRefusal{"depth", "a panorama or a pinhole in a study with [clip]: a file shows one moment",
-                         "a file"};
+    if (std::holds_alternative<FileSource>(source) || is_estimated(source))
+      return ClipRefusal{
+          "depth", "a captured panorama or a pinhole in a study with [clip]: an estimate shows one moment",
+          "a file or stereo"};
   return std::nullopt;
 }
 
