@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "analysis/log_analysis/task_words.h"
 #include "analysis/report/text/origins_text.h"
 
 namespace seamline::analysis {
@@ -136,7 +137,8 @@ std::string checks_text(const Analysis& analysis) {
   std::string text;
   if (analysis.origins) text = origins_text(analysis);
   if (!analysis.guessing.curves.empty())
-    text += beside_text(analysis) + guessers_text(analysis.guessing) + "\n\n";
+    text += (asks_ratings(analysis.log) ? beside_text(analysis) : std::string()) +
+            guessers_text(analysis.guessing) + "\n\n";
   text += screening_sentence(analysis.screening) + "\n";
   if (analysis.screened.size() > 1) text += screened_text(analysis);
   if (std::isnan(analysis.sos.a)) return text;
