@@ -145,7 +145,7 @@ def cases():
         Case("panorama", size=(128, 64), camera=([0, 1.2, 1.0], 0.8), artifact="all", tables="[look]\nview_px = [64, 64]\nhorizontal_fov_deg = 60\n", scene={"camera": 'projection = "panorama"\nposition_m = [0, 1.2, 1.0]\nlook_at_m = [0, 1.0, -4]'}),
         Case("anaglyph", artifact="all", tables='[view]\nkind = "anaglyph"\nzero_parallax_m = 2.5\n'),
         Case("side_by_side", artifact="all", tables='[view]\nkind = "side_by_side"\nzero_parallax_m = 2.5\n'),
-        Case("clip", artifact="shadow", scene={"path": ""}, tables='[clip]\nframes = 2\nframes_per_s = 4\n', pattern="clip-shadow-o1-*"),
+        Case("clip", artifact="shadow", scene={"path": ""}, tables='[clip]\nframes = 2\nframes_per_s = 4\n', pattern="clip-shadow-o1@000-*"),
         Case("ambient_occlusion", light={"environment_radiance": "[1, 1, 1]"}, artifact="all", ambient_occlusion="true", ao_distance_m="1.5"),
         Case("photograph_albedo", artifact="bounce", study='mesh_albedo = "photograph"'),
         Case("soft_sun", light={"environment_radiance": "[0.3, 0.35, 0.45]", "suns": "[{to_sun = [0.5, 1, 0.3], irradiance_w_m2 = [6, 5.5, 5], angular_radius_deg = 6}]"}, artifact="all"),
