@@ -41,9 +41,9 @@ struct SceneSpread {
   Artifact artifact = Artifact::none;
   std::string quantity;  ///< "PT" or "SN"
   int scenes = 0;        ///< of the artifact, at least two
-  int with_value = 0;    ///< of those, whose threshold lies within the widths
-  double mean_x = 0;     ///< of those, mean log2 of the width
-  double sd_x = 0;       ///< their standard deviation in octaves; 0 of fewer than two
+  int with_value = 0;    ///< of those, whose threshold lies within the levels
+  double mean_x = 0;     ///< of those, mean x of LevelAxis: of widths their log2
+  double sd_x = 0;       ///< their standard deviation, in the same; 0 of fewer than two
 };
 
 /// On whose eyes a prediction rests.
