@@ -39,6 +39,7 @@ Real people answer in a window; simulated ones need none.")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # What the program runs (figures of a report) and reads (letters of contact sheets and of the window).
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "gnuplot-nox | gnuplot, fonts-dejavu-core")
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libgl1-mesa-dri")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "bash-completion, man-db")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libgl1-mesa-dri, fonts-lohit-deva, fonts-tlwg-loma-ttf")
+# Letters of the other scripts, for the window: 42 MB and 90 MB.
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "bash-completion, man-db, fonts-noto-core, fonts-noto-cjk")
 include(CPack)

@@ -2,19 +2,21 @@
 #include "window/canvas.h"
 
 #include <backends/imgui_impl_opengl3.h>
-#include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
+#include <optional>
+#include <tuple>
 #include <vector>
 
-#include "support/files/atomic_file.h"
 #include "support/text/error.h"
-#include "window/characters.h"
-#include "window/glyphs.h"
+#include "window/type/open_fonts.h"
+#include "window/type/paragraph.h"
+#include "window/type/text_direction.h"
 
 namespace seamline::inline window {
 namespace {
@@ -27,117 +29,60 @@ ImU32 code(Colour colour) {
   return IM_COL32(colour.red, colour.green, colour.blue, colour.alpha);
 }
 
+ImTextureID name_of(const Texture& texture) {
+  return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture.name()));
+}
+
 std::size_t place(Font font) {
   return static_cast<std::size_t>(font);
 }
 
-/// Texts that come with the window, what people may type, and those of the study.
-std::u32string characters_to_set(const std::string& of_study) {
-  std::u32string characters = U"\u2013\u2014\u2018\u2019\u201C\u201D\u2022\u2026";
-  for (char32_t latin = 0x20; latin <= 0xFF; ++latin) characters += latin;
-  for (const char32_t character : characters_of(of_study))
-    if (character > 0xFF && character <= IM_UNICODE_CODEPOINT_MAX) characters += character;
-  return characters;
-}
-
-/// A shape, and the number of its place in the texture.
-struct PlacedGlyph {
-  Glyph glyph;
-  int place = 0;
-};
-
-/// Enough for all shapes in a texture that is about as high as wide.
-int texture_width_px(const std::vector<PlacedGlyph>& placed) {
-  std::int64_t area = 0, width = 512;
-  for (const PlacedGlyph& one : placed)
-    area += std::int64_t{one.glyph.width_px + 1} * (one.glyph.height_px + 1);
-  while (width < 8192 && width * width < area * 5 / 4) width *= 2;
-  return static_cast<int>(width);
-}
-
-/// Dear ImGui arranges the shapes and draws them, but never sees the font: it opens its own small one, of
-/// which nothing but the height of the line is used.
-ImFont* add_font(ImFontAtlas& atlas, const std::filesystem::path& file, const std::u32string& characters,
-                 double size_px, std::vector<PlacedGlyph>& placed) {
-  static constexpr std::array<ImWchar, 3> space_alone = {' ', ' ', 0};
-  ImFontConfig config;
-  config.SizePixels = static_cast<float>(std::round(size_px));
-  config.GlyphRanges = space_alone.data();
-  ImFont* font = atlas.AddFontDefault(&config);
-  for (Glyph& glyph : glyphs_of(read_file(file, largest_font_bytes), file.string(), characters,
-                                static_cast<int>(std::round(size_px)))) {
-    // A row and a column more, so that no neighbour in the texture shows.
-    const int place = atlas.AddCustomRectFontGlyph(
-        font, static_cast<ImWchar>(glyph.character), glyph.width_px + 1, glyph.height_px + 1,
-        static_cast<float>(glyph.advance_px), vector(glyph.left_px, glyph.top_px));
-    placed.push_back({std::move(glyph), place});
-  }
-  return font;
-}
-
-/// Puts the shapes into the texture; false when it has no room for them.
-bool fill_texture(ImFontAtlas& atlas, const std::vector<PlacedGlyph>& placed) {
-  unsigned char* texels = nullptr;
-  int width_px = 0, height_px = 0;
-  atlas.TexDesiredWidth = texture_width_px(placed);
-  if (!atlas.Build()) return false;
-  atlas.GetTexDataAsAlpha8(&texels, &width_px, &height_px);
-  for (const auto& [glyph, place] : placed) {
-    const ImFontAtlasCustomRect& rect = *atlas.GetCustomRectByIndex(place);
-    if (!rect.IsPacked() || rect.X + glyph.width_px >= width_px || rect.Y + glyph.height_px >= height_px)
-      return false;
-    for (int y = 0; y < glyph.height_px; ++y)
-      std::copy_n(glyph.coverage.begin() + std::ptrdiff_t{y} * glyph.width_px, glyph.width_px,
-                  texels + std::ptrdiff_t{rect.Y + y} * width_px + rect.X);
-  }
-  return true;
-}
-
-/// The first character of the text that the font has no shape for, or 0.
-char32_t missing_character(const ImFont& font, const std::string& text) {
-  for (const char32_t character : characters_of(text)) {
-    if (character < 0x20) continue;
-    if (character > IM_UNICODE_CODEPOINT_MAX) return character;
-    if (font.FindGlyphNoFallback(static_cast<ImWchar>(character)) == nullptr) return character;
-  }
-  return 0;
-}
-
-/// The lines of a text: as they are written, and broken between words where they are longer than `wrap_px`.
-std::vector<std::string_view> broken_lines(const ImFont& font, std::string_view text, double wrap_px) {
-  std::vector<std::string_view> lines;
-  while (true) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view line = text.substr(0, end);
-    while (wrap_px > 0 && !line.empty()) {
-      const char* stop = font.CalcWordWrapPositionA(1.0F, line.data(), line.data() + line.size(),
-                                                    static_cast<float>(wrap_px));
-      const std::size_t length = std::max<std::size_t>(1, static_cast<std::size_t>(stop - line.data()));
-      if (length >= line.size()) break;
-      lines.push_back(line.substr(0, length));
-      line.remove_prefix(length);
-      line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
-    }
-    lines.push_back(line);
-    if (end == text.size()) return lines;
-    text.remove_prefix(end + 1);
-  }
-}
-
-/// Paragraphs are set with room between their lines, and half a line between them; labels are not.
-double line_px(const ImFont& font, std::string_view line, double wrap_px) {
-  const double size_px = static_cast<double>(font.FontSize);
-  if (wrap_px <= 0) return size_px;
-  return std::round(line.empty() ? 0.6 * size_px : 1.32 * size_px);
+/// What is always there: texts that come with the window, numbers, names of files.
+std::string common_characters() {
+  std::string text = "\u2013\u2014\u2018\u2019\u201C\u201D\u2022\u2026";
+  for (char letter = ' '; letter <= '~'; ++letter) text += letter;
+  return text;
 }
 
 }  // namespace
 
 struct Canvas::State {
-  std::array<ImFont*, 3> fonts{};
+  /// A text as it was last arranged. Its lines are drawn when they are first seen.
+  struct KeptText {
+    ArrangedText arranged;
+    std::vector<std::optional<Texture>> textures = {};
+    std::vector<Coverage> frames = {};  ///< of the textures
+    std::int64_t frame = 0;             ///< in which it was last asked for
+  };
+  using TextKey = std::tuple<Font, double, std::string>;
+
+  FontStack text_fonts, heading_fonts;
+  std::array<TypeStyle, 3> styles{};
+  std::map<TextKey, KeptText> texts;
+  std::int64_t frame = 0;
   bool renderer = false;
 
-  [[nodiscard]] ImFont* font(Font which) const { return fonts.at(place(which)); }
+  [[nodiscard]] const TypeStyle& style(Font which) const { return styles.at(place(which)); }
+
+  KeptText& text(Font font, std::string_view utf8, double wrap_px) {
+    const auto [at, is_new] = texts.try_emplace({font, wrap_px, std::string(utf8)});
+    KeptText& kept = at->second;
+    if (is_new) {
+      kept.arranged = arrange(style(font), utf8, wrap_px);
+      kept.textures.resize(kept.arranged.lines.size());
+      kept.frames.resize(kept.arranged.lines.size());
+    }
+    kept.frame = frame;
+    return kept;
+  }
+
+  /// Texts that change in every frame would fill the memory.
+  void forget_old_texts() {
+    constexpr std::size_t enough = 512;
+    ++frame;
+    if (texts.size() > enough)
+      std::erase_if(texts, [&](const auto& text) { return text.second.frame + 2 < frame; });
+  }
 };
 
 Canvas::Canvas() : state_(std::make_unique<State>()) {
@@ -146,6 +91,7 @@ Canvas::Canvas() : state_(std::make_unique<State>()) {
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;  // nothing of a session is kept on the side
   io.LogFilename = nullptr;
+  io.Fonts->Flags |= ImFontAtlasFlags_NoMouseCursors;  // its own font is never seen
   state_->renderer = ImGui_ImplOpenGL3_Init("#version 130");
   if (!state_->renderer)
     throw input_error({.field = "display", .wanted = "OpenGL 3", .found = "an older one"});
@@ -157,31 +103,27 @@ Canvas::~Canvas() {
 }
 
 void Canvas::set_font(const FontRequest& request) {
-  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
-  atlas.Clear();
-  atlas.Flags |= ImFontAtlasFlags_NoMouseCursors;
-  const std::u32string characters = characters_to_set(request.characters);
-  std::vector<PlacedGlyph> placed;
-  const auto add = [&](const std::filesystem::path& file, double size_px) {
-    return add_font(atlas, file, characters, size_px, placed);
+  State& state = *state_;
+  state.texts.clear();
+  std::vector<std::string> texts = request.texts;
+  texts.push_back(common_characters());
+  const std::vector<FontFiles> files = files_for(request.files, texts);
+  state.text_fonts = open_fonts(files, &FontFiles::text);
+  state.heading_fonts = open_fonts(files, &FontFiles::heading);
+  const auto style = [&](const FontStack& fonts, double scale) {
+    return TypeStyle{.fonts = &fonts,
+                     .size_px = std::round(request.body_px * scale),
+                     .language = request.language,
+                     .right_to_left = runs_right_to_left(request.language)};
   };
-  state_->fonts = {add(request.file, request.body_px), add(request.heading_file, request.body_px * 1.5),
-                   add(request.file, request.body_px * 0.8)};
-  if (!fill_texture(atlas, placed))
-    throw input_error({.file = request.file.string(),
-                       .wanted = "texts and a size whose letters fit into one texture",
-                       .found = fmt::format("{} letters of {} px", placed.size(), request.body_px)});
-  ImGui_ImplOpenGL3_DestroyDeviceObjects();  // the next frame makes them again, with the new type
-  for (const ImFont* font : state_->fonts)
-    if (const char32_t missing = missing_character(*font, request.characters); missing != 0)
-      throw input_error({.file = request.file.string(),
-                         .wanted = "a font with every character of the study's texts",
-                         .found = fmt::format("none for U+{:04X} (name another in session.font, or show such "
-                                              "texts as pictures)",
-                                              static_cast<unsigned>(missing))});
+  state.styles = {style(state.text_fonts, 1), style(state.heading_fonts, 1.5), style(state.text_fonts, 0.8)};
+  for (const std::string& text : texts)
+    for (const FontStack* fonts : {&state.text_fonts, &state.heading_fonts})
+      require_shapes({.fonts = fonts}, text);
 }
 
 void Canvas::begin(Size framebuffer_px) {
+  state_->forget_old_texts();
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = vector(framebuffer_px.width_px, framebuffer_px.height_px);
   io.DisplayFramebufferScale = {1, 1};
@@ -217,36 +159,46 @@ void Canvas::line(Point from, Point to, Colour colour, double thickness_px) {
 }
 
 void Canvas::picture(const Texture& texture, const Rect& rect) {
-  const auto name = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture.name()));
-  ImGui::GetBackgroundDrawList()->AddImage(name, vector(rect.x_px, rect.y_px),
+  ImGui::GetBackgroundDrawList()->AddImage(name_of(texture), vector(rect.x_px, rect.y_px),
                                            vector(rect.right_px(), rect.bottom_px()));
 }
 
 void Canvas::text(Font font, Point top_left, std::string_view text, Colour colour, double wrap_px) {
-  const ImFont* type = state_->font(font);
-  double y_px = top_left.y_px;
-  for (const std::string_view line : broken_lines(*type, text, wrap_px)) {
-    ImGui::GetBackgroundDrawList()->AddText(type, type->FontSize,
-                                            vector(std::round(top_left.x_px), std::round(y_px)), code(colour),
-                                            line.data(), line.data() + line.size());
-    y_px += line_px(*type, line, wrap_px);
+  constexpr int most_width_px = 8192;  // that every graphics memory has as a texture
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  State::KeptText& kept = state_->text(font, text, wrap_px);
+  for (std::size_t i = 0; i < kept.textures.size(); ++i) {
+    const TextLine& line = kept.arranged.lines[i];
+    const double x_px = std::round(top_left.x_px) + line.left_px,
+                 y_px = std::round(top_left.y_px + line.top_px);
+    const double far_px = 2 * largest_shape_em * size_px(font);
+    if (y_px > static_cast<double>(screen.y) + far_px || y_px < -far_px) continue;
+    if (!kept.textures[i]) {
+      kept.frames[i] = draw_line(state_->style(font), line, most_width_px);
+      kept.textures[i].emplace().upload_coverage(kept.frames[i].width_px, kept.frames[i].height_px,
+                                                 kept.frames[i].values);
+      kept.frames[i].values.clear();
+    }
+    const Coverage& frame = kept.frames[i];
+    if (frame.width_px == 0) continue;
+    const double left_px = x_px + frame.left_px, top_px = y_px + frame.top_px;
+    ImGui::GetBackgroundDrawList()->AddImage(name_of(*kept.textures[i]), vector(left_px, top_px),
+                                             vector(left_px + frame.width_px, top_px + frame.height_px),
+                                             {0, 0}, {1, 1}, code(colour));
   }
 }
 
 Size Canvas::measure(Font font, std::string_view text, double wrap_px) const {
-  const ImFont* type = state_->font(font);
-  Size size;
-  for (const std::string_view line : broken_lines(*type, text, wrap_px)) {
-    const ImVec2 extent =
-        type->CalcTextSizeA(type->FontSize, 1e6F, 0, line.data(), line.data() + line.size());
-    size.width_px = std::max(size.width_px, static_cast<double>(extent.x));
-    size.height_px += line_px(*type, line, wrap_px);
-  }
-  return size;
+  const ArrangedText& arranged = state_->text(font, text, wrap_px).arranged;
+  return {arranged.width_px, arranged.height_px};
 }
 
 double Canvas::size_px(Font font) const {
-  return static_cast<double>(state_->font(font)->FontSize);
+  return state_->style(font).size_px;
+}
+
+bool Canvas::right_to_left() const {
+  return state_->style(Font::body).right_to_left;
 }
 
 void Canvas::clip(const Rect& rect) {

@@ -1,23 +1,15 @@
 #pragma once
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
 
 #include "window/geometry.h"
 #include "window/texture.h"
+#include "window/type/find_font.h"
 
 namespace seamline::inline window {
 
 enum class Font { body, heading, small };
-
-/// The type that texts are set in.
-struct FontRequest {
-  std::filesystem::path file;          ///< TrueType
-  std::filesystem::path heading_file;  ///< the same, or its bold
-  double body_px = 22;
-  std::string characters;  ///< UTF-8: every character that will be shown
-};
 
 /// Draws shapes, texts and pictures through Dear ImGui's renderer: the only Dear ImGui in Seamline. A frame
 /// is whatever is drawn between `begin` and `end`. Needs the window's OpenGL context.
@@ -28,7 +20,9 @@ class Canvas {
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;
 
-  /// Loads the fonts. Throws InputError when the file is no font or lacks a character of the texts.
+  /// Loads the fonts: the one asked for, and for characters that it lacks those of their scripts. Throws
+  /// InputError when a file is no font, is damaged where the texts need it, or none has a character of
+  /// theirs.
   void set_font(const FontRequest& request);
 
   void begin(Size framebuffer_px);
@@ -42,10 +36,13 @@ class Canvas {
   void line(Point from, Point to, Colour colour, double thickness_px);
   /// The picture, each of its pixels on one of the screen's when `rect` has its size and integer corners.
   void picture(const Texture& texture, const Rect& rect);
-  /// Text from its top left corner, broken into lines of at most `wrap_px` (0: not broken).
+  /// Text from its top left corner, broken into lines of at most `wrap_px` (0: not broken). Of languages that
+  /// run from right to left, lines stand at the right of `wrap_px`.
   void text(Font font, Point top_left, std::string_view text, Colour colour, double wrap_px = 0);
   [[nodiscard]] Size measure(Font font, std::string_view text, double wrap_px = 0) const;
   [[nodiscard]] double size_px(Font font) const;
+  /// Whether pages are laid out from right to left.
+  [[nodiscard]] bool right_to_left() const;
 
   void clip(const Rect& rect);
   void unclip();

@@ -20,6 +20,14 @@ void set_parameter(GLenum parameter, GLenum value) {
   glTexParameteri(GL_TEXTURE_2D, parameter, static_cast<GLint>(value));
 }
 
+/// Each pixel as it is.
+void set_fixed_sampling() {
+  set_parameter(GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  set_parameter(GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  set_parameter(GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  set_parameter(GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+}
+
 }  // namespace
 
 Texture::~Texture() {
@@ -53,10 +61,22 @@ void Texture::upload(const ByteImage& image) {
   width_px_ = image.width_px;
   height_px_ = image.height_px;
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, width_px_, height_px_, 0, GL_RGB, GL_UNSIGNED_BYTE, bytes);
-  set_parameter(GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  set_parameter(GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  set_parameter(GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  set_parameter(GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  set_fixed_sampling();
+}
+
+void Texture::upload_coverage(int width_px, int height_px, std::span<const std::uint8_t> coverage) {
+  if (width_px <= 0 || height_px <= 0) return;
+  std::vector<std::uint8_t> white;
+  white.reserve(coverage.size() * 4);
+  for (const std::uint8_t alpha : coverage) white.insert(white.end(), {255, 255, 255, alpha});
+  if (name_ == 0) glGenTextures(1, &name_);
+  glBindTexture(GL_TEXTURE_2D, name_);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+  width_px_ = width_px;
+  height_px_ = height_px;
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width_px_, height_px_, 0, GL_RGBA, GL_UNSIGNED_BYTE, white.data());
+  set_fixed_sampling();
 }
 
 void Texture::smooth(bool on) {

@@ -1,4 +1,7 @@
 #pragma once
+#include <cstdint>
+#include <span>
+
 #include "support/files/image.h"
 
 namespace seamline::inline window {
@@ -17,6 +20,8 @@ class Texture {
 
   /// Replaces the picture: 3 channels, or 1 shown as grey.
   void upload(const ByteImage& image);
+  /// Replaces the picture by white that covers 0 to 255 of each pixel: letters, tinted where they are drawn.
+  void upload_coverage(int width_px, int height_px, std::span<const std::uint8_t> coverage);
   /// Linear sampling, for pictures that are shown smaller or larger than they are.
   void smooth(bool on);
 

@@ -134,6 +134,12 @@ void Ui::end_card() {
   card_open_ = false;
 }
 
+Rect Ui::on_its_side(const Rect& rect) const {
+  Rect placed = rect;
+  if (canvas_.right_to_left()) placed.x_px = std::round(card_.x_px + card_.right_px() - rect.right_px());
+  return placed;
+}
+
 void Ui::write(Font font, std::string_view text, Colour colour) {
   const Size size = canvas_.measure(font, text, card_.width_px);
   canvas_.text(font, {card_.x_px, y_px_}, text, colour, card_.width_px);

@@ -19,8 +19,9 @@ struct UiItem {
   bool operator==(const UiItem&) const = default;
 };
 
-/// A page of text and controls on a card in the middle of the screen. Tab and Shift-Tab move the focus, Enter
-/// and Space use what has it, arrows change it; a page that is longer than the screen scrolls.
+/// A page of text and controls on a card in the middle of the screen, mirrored where texts run from right to
+/// left. Tab and Shift-Tab move the focus, Enter and Space use what has it, arrows change it; a page that is
+/// longer than the screen scrolls.
 ///
 /// Controls return what happened in this frame. The page is laid out from the heights of the frame before,
 /// and what was drawn above a control does not know yet that it was used, so a page that `changed()` must be
@@ -57,7 +58,7 @@ class Ui {
     std::string id, text;
     ButtonKind kind = ButtonKind::quiet;
   };
-  /// Buttons side by side, right-aligned; returns the one that was used. Where nothing has the focus, Enter
+  /// Buttons side by side, where lines end; returns the one that was used. Where nothing has the focus, Enter
   /// uses the only leading one if `enter_leads`.
   [[nodiscard]] std::optional<int> buttons(std::span<const ButtonText> texts, bool enter_leads = true);
 
@@ -92,6 +93,8 @@ class Ui {
   bool button(const ButtonText& text, const Rect& rect, bool enter_leads);
   void ring(const Rect& rect);
   void write(Font font, std::string_view text, Colour colour);
+  /// On the page's other side where it is read from right to left.
+  [[nodiscard]] Rect on_its_side(const Rect& rect) const;
   [[nodiscard]] bool activates() const;
   void move_focus(int step);
 

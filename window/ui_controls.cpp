@@ -45,8 +45,8 @@ std::optional<int> Ui::buttons(std::span<const ButtonText> texts, bool enter_lea
   double x_px = card_.right_px() - total_px;
   std::optional<int> used;
   for (std::size_t i = 0; i < texts.size(); ++i) {
-    const Rect rect{std::round(x_px), std::round(y_px_), button_width_px(texts[i]),
-                    std::round(control_em * em())};
+    const Rect rect = on_its_side(
+        {std::round(x_px), std::round(y_px_), button_width_px(texts[i]), std::round(control_em * em())});
     if (button(texts[i], rect, enter_leads)) used = static_cast<int>(i);
     x_px += rect.width_px + em();
   }
@@ -74,7 +74,8 @@ int Ui::choice(const std::string& id, std::span<const std::string> options, int 
       x_px = card_.x_px;
       y_px_ += height_px + std::round(0.4 * em());
     }
-    rects.push_back({std::round(x_px), std::round(y_px_), std::min(width_px, card_.width_px), height_px});
+    rects.push_back(
+        on_its_side({std::round(x_px), std::round(y_px_), std::min(width_px, card_.width_px), height_px}));
     x_px += width_px + std::round(0.4 * em());
   }
   y_px_ += height_px;
@@ -120,8 +121,8 @@ int Ui::choice(const std::string& id, std::span<const std::string> options, int 
 }
 
 bool Ui::number(const std::string& id, std::string& text, double width_em) {
-  const Rect rect{card_.x_px, std::round(y_px_), std::round(width_em * em()),
-                  std::round(control_em * em() * 0.9)};
+  const Rect rect = on_its_side(
+      {card_.x_px, std::round(y_px_), std::round(width_em * em()), std::round(control_em * em() * 0.9)});
   y_px_ += rect.height_px;
   items_.push_back({id, rect});
   if (input_.mouse_pressed && rect.contains(input_.mouse)) focus_ = id;
@@ -145,9 +146,11 @@ bool Ui::number(const std::string& id, std::string& text, double width_em) {
   canvas_.outline(rect, focused ? look::chosen : look::control_edge, 1, corner_px);
   const Size size = canvas_.measure(Font::body, text);
   const double top_px = rect.y_px + (rect.height_px - size.height_px) / 2;
-  canvas_.text(Font::body, {rect.x_px + 0.6 * em(), top_px}, text, look::ink);
+  const double left_px =
+      canvas_.right_to_left() ? rect.right_px() - 0.6 * em() - size.width_px - 4 : rect.x_px + 0.6 * em();
+  canvas_.text(Font::body, {left_px, top_px}, text, look::ink);
   if (focused) {
-    const double caret_px = rect.x_px + 0.6 * em() + size.width_px + 2;
+    const double caret_px = left_px + size.width_px + 2;
     canvas_.line({caret_px, rect.y_px + 0.4 * em()}, {caret_px, rect.bottom_px() - 0.4 * em()}, look::ink, 2);
     ring(rect);
   }
@@ -188,12 +191,14 @@ bool Ui::checkbox(const std::string& id, std::string_view text, bool& on) {
   const double side_px = std::round(1.2 * em());
   const double wrap_px = card_.width_px - 2 * em();
   const Size size = canvas_.measure(Font::body, text, wrap_px);
-  const Rect rect{card_.x_px, std::round(y_px_), std::min(card_.width_px, size.width_px + 2.2 * em()),
-                  std::max(side_px, size.height_px)};
+  const Rect rect =
+      on_its_side({card_.x_px, std::round(y_px_), std::min(card_.width_px, size.width_px + 2.2 * em()),
+                   std::max(side_px, size.height_px)});
   y_px_ += rect.height_px;
   const Use use = item(id, rect);
   if (use.used) on = !on;
-  const Rect box{rect.x_px, rect.y_px, side_px, side_px};
+  const bool mirrored = canvas_.right_to_left();
+  const Rect box{mirrored ? rect.right_px() - side_px : rect.x_px, rect.y_px, side_px, side_px};
   canvas_.fill(box, on ? look::chosen : use.hovered ? look::control_hover : look::control, 4);
   canvas_.outline(box, on ? look::chosen : look::control_edge, 1, 4);
   if (on) {
@@ -203,7 +208,9 @@ bool Ui::checkbox(const std::string& id, std::string_view text, bool& on) {
     canvas_.line({x_px + 0.43 * s, y_px + 0.72 * s}, {x_px + 0.78 * s, y_px + 0.28 * s}, look::ink_on_chosen,
                  3);
   }
-  canvas_.text(Font::body, {rect.x_px + 2 * em(), rect.y_px}, text, look::ink, wrap_px);
+  canvas_.text(Font::body,
+               {mirrored ? rect.right_px() - 2 * em() - wrap_px : rect.x_px + 2 * em(), rect.y_px}, text,
+               look::ink, wrap_px);
   if (use.focused) ring(rect);
   gap(0.4);
   return acts(use.used);

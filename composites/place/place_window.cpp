@@ -22,8 +22,8 @@
 #include "support/text/printable.h"
 #include "support/text/shell_word.h"
 #include "window/canvas.h"
-#include "window/find_font.h"
 #include "window/look.h"
+#include "window/type/find_font.h"
 #include "window/window.h"
 
 namespace seamline::place {
@@ -91,7 +91,7 @@ class Placer {
         preview_(world, preview_width_px, request.photo.threads) {
     FontRequest font = find_font({});
     font.body_px = type_px;
-    font.characters = help;
+    font.texts = {help};
     canvas_.set_font(font);
     texture_.smooth(true);
     placing_.objects = std::move(opened.objects);

@@ -10,9 +10,9 @@
 #include "live/running/poses_table.h"
 #include "support/running/interrupt.h"
 #include "window/canvas.h"
-#include "window/find_font.h"
 #include "window/look.h"
 #include "window/texture.h"
+#include "window/type/find_font.h"
 #include "window/window.h"
 
 namespace seamline::live {
@@ -43,7 +43,6 @@ class LiveWindow {
         textures_(static_cast<std::size_t>(request.settings.views)) {
     FontRequest font = find_font({});
     font.body_px = type_px;
-    for (char letter = ' '; letter <= '~'; ++letter) font.characters += letter;
     canvas_.set_font(font);
   }
 

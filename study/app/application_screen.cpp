@@ -7,7 +7,7 @@
 #include "study/trials/trial_picture.h"
 #include "support/files/confined_path.h"
 #include "support/text/error.h"
-#include "window/find_font.h"
+#include "window/type/find_font.h"
 
 namespace seamline::study::app {
 namespace {
@@ -87,7 +87,8 @@ void Application::set_type() {
           : path_below(set_.folder, file,
                        {.file = (set_.folder / set_.manifest.study_file).string(), .field = "session.font"}));
   font.body_px = body_size_px(display_, set_.study.session.text_scale * stage_.text_scale);
-  font.characters = characters_needed(set_);
+  font.language = set_.study.session.language;
+  for (const ShownText& shown : shown_texts(set_.study)) font.texts.push_back(shown.text);
   canvas_.set_font(font);
   type_scale_ = stage_.text_scale;
 }

@@ -1,5 +1,5 @@
 // Fonts from outside: shapes where they are right, one sentence where they are not.
-#include "window/glyphs.h"
+#include "window/type/glyphs.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,37 +11,60 @@
 #include "support/arithmetic/random.h"
 #include "support/text/error.h"
 #include "tests/complaint.h"
+#include "window/type/open_fonts.h"
+#include "window/type/paragraph.h"
 
 namespace seamline::study::app {
 namespace {
 
 using testing::HasSubstr;
 
-int covered(const Glyph& glyph) {
-  return std::accumulate(glyph.coverage.begin(), glyph.coverage.end(), 0);
+seamline::FontBytes bytes_of_font(const std::string& bytes, const std::string& file) {
+  return {std::make_shared<const std::string>(bytes), file, false};
+}
+
+int covered(const Coverage& glyph) {
+  return std::accumulate(glyph.values.begin(), glyph.values.end(), 0);
 }
 
 TEST(Glyphs, AreTheShapesOfTheFont) {
-  const std::vector<Glyph> glyphs = glyphs_of(test::small_font(), "small.ttf", U"CBA AX", 100);
-  ASSERT_EQ(glyphs.size(), 4U);
-  const std::u32string order = U" ABC";
-  for (std::size_t i = 0; i < glyphs.size(); ++i) {
-    EXPECT_EQ(glyphs[i].character, order[i]);
-    EXPECT_EQ(glyphs[i].advance_px, 80);
-  }
-  EXPECT_EQ(glyphs[0].coverage.size(), 0U);
-  EXPECT_EQ(glyphs[1].width_px, 70);
-  EXPECT_EQ(glyphs[1].height_px, 70);
-  EXPECT_EQ(glyphs[1].left_px, 0);
-  EXPECT_EQ(glyphs[1].top_px, 10);  // the line is 80 px above the letter's foot
-  EXPECT_EQ(covered(glyphs[1]), 70 * 70 * 255);
-  EXPECT_EQ(covered(glyphs[2]), 50 * 50 * 255);
-  EXPECT_EQ(glyphs[3].width_px, 70);
+  const OutlineFont font(bytes_of_font(test::small_font(), "small.ttf"));
+  EXPECT_DOUBLE_EQ(font.ascent_em(), 0.8);
+  EXPECT_DOUBLE_EQ(font.height_em(), 1);
+  EXPECT_EQ(font.glyph(1, 100, 0).values.size(), 0U);  // the space
+  const Coverage a = font.glyph(2, 100, 0);
+  EXPECT_EQ(a.width_px, 70);
+  EXPECT_EQ(a.height_px, 70);
+  EXPECT_EQ(a.left_px, 0);
+  EXPECT_EQ(a.top_px, -70);
+  EXPECT_EQ(covered(a), 70 * 70 * 255);
+  EXPECT_EQ(covered(font.glyph(3, 100, 0)), 50 * 50 * 255);
+  EXPECT_EQ(font.glyph(4, 100, 0).width_px, 70);
+  const Coverage moved = font.glyph(2, 100, 0.5);
+  EXPECT_EQ(moved.width_px, 71);
+  EXPECT_NEAR(moved.values.front(), 128, 1);
+  EXPECT_EQ(font.frame(2, 100, 0.5).width_px, 71);
+}
+
+TEST(Glyphs, OfALineStandOnItsFootAndGoOnByTheirWidths) {
+  FontStack fonts;
+  fonts.emplace_back(bytes_of_font(test::small_font(), "small.ttf"));
+  const TypeStyle style{.fonts = &fonts, .size_px = 100};
+  const ArrangedText text = arrange(style, "AB", 0);
+  ASSERT_EQ(text.lines.size(), 1U);
+  EXPECT_EQ(text.width_px, 160);
+  EXPECT_EQ(text.height_px, 100);
+  const Coverage line = draw_line(style, text.lines[0], 1000);
+  EXPECT_EQ(line.left_px, 0);
+  EXPECT_EQ(line.top_px, 10);  // 80 px above the letters' foot the line begins
+  EXPECT_EQ(line.width_px, 80 + 50);
+  EXPECT_EQ(covered(line), (70 * 70 + 50 * 50) * 255);
+  EXPECT_EQ(draw_line(style, text.lines[0], 100).width_px, 100);
 }
 
 TEST(Glyphs, OfAnotherFileAreOneSentence) {
   const auto complaint = [](const std::string& bytes) {
-    return test::complaint_of([&] { (void)glyphs_of(bytes, "session.ttf", U"AB", 22); });
+    return test::complaint_of([&] { const OutlineFont font(bytes_of_font(bytes, "session.ttf")); });
   };
   for (const std::string& bytes : {std::string(), std::string("wOFF"), std::string("%!PS-AdobeFont"),
                                    std::string(1000, '\0'), std::string("\x89PNG\r\n\x1a\n")})
@@ -60,10 +83,14 @@ TEST(Glyphs, OfFontsWithAnyByteChangedAreSoundOrRefused) {
       std::string damaged = font;
       damaged[at] = static_cast<char>(change == 0 ? 255 : change == 1 ? 128 : random.below(256));
       try {
-        for (const Glyph& glyph : glyphs_of(damaged, "damaged.ttf", U" ABC", 22)) {
-          EXPECT_EQ(glyph.coverage.size(), static_cast<std::size_t>(glyph.width_px * glyph.height_px));
-          EXPECT_LE(std::max(glyph.width_px, glyph.height_px), 2 * largest_shape_em * 22 + 2);
-          EXPECT_GE(glyph.advance_px, 0);
+        FontStack fonts;
+        fonts.emplace_back(bytes_of_font(damaged, "damaged.ttf"));
+        const TypeStyle style{.fonts = &fonts, .size_px = 22};
+        for (const TextLine& line : arrange(style, "ABC CBA", 60).lines) {
+          const Coverage drawn = draw_line(style, line, 300);
+          EXPECT_EQ(drawn.values.size(), static_cast<std::size_t>(drawn.width_px * drawn.height_px));
+          EXPECT_LE(drawn.width_px, 300 + 22);
+          EXPECT_GE(line.width_px, 0);
         }
         ++opened;
       } catch (const InputError&) {
@@ -72,6 +99,19 @@ TEST(Glyphs, OfFontsWithAnyByteChangedAreSoundOrRefused) {
     }
   EXPECT_GT(opened, 100);
   EXPECT_GT(refused, 100);
+}
+
+TEST(Glyphs, OfCharactersWithoutAFontAreRefusedWithTheirScriptAndAPackage) {
+  FontStack fonts;
+  fonts.emplace_back(bytes_of_font(test::small_font(), "small.ttf"));
+  const auto complaint = [&](const char* text) {
+    return test::complaint_of([&] { require_shapes({.fonts = &fonts}, text); });
+  };
+  EXPECT_EQ(complaint("ABC\nCAB\u200d"), "no complaint");
+  EXPECT_THAT(complaint("A हिन्दी"), HasSubstr("Devanagari letters: Debian's fonts-lohit-deva"));
+  EXPECT_THAT(complaint("ที่"), HasSubstr("Thai letters: Debian's fonts-tlwg-loma-ttf"));
+  EXPECT_THAT(complaint("日本"), HasSubstr("Chinese letters: Debian's fonts-noto-cjk"));
+  EXPECT_THAT(complaint("A é"), HasSubstr("none with U+00E9"));
 }
 
 }  // namespace

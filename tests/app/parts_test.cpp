@@ -9,7 +9,7 @@
 #include "study/app/pictures/picture_loader.h"
 #include "study/app/pictures/picture_place.h"
 #include "support/text/error.h"
-#include "window/characters.h"
+#include "window/type/characters.h"
 
 namespace seamline::study::app {
 namespace {
@@ -84,16 +84,8 @@ TEST(Characters, AreReadFromUtf8AndBrokenBytesAreMarked) {
             U"a\uFFFDb\uFFFD");
 }
 
-TEST(Characters, ScriptsThatMustBeShapedAreRefusedWithTheirField) {
-  EXPECT_NO_THROW(refuse_text_that_needs_shaping("s.toml", "x", "Größe Ωμέγα Привет 日本語"));
-  for (const char* text : {"مرحبا", "שלום", "नमस्ते", "e\u0301"}) {
-    try {
-      refuse_text_that_needs_shaping("s.toml", "consent.text", text);
-      ADD_FAILURE() << text;
-    } catch (const InputError& error) {
-      EXPECT_THAT(error.what(), HasSubstr("s.toml: consent.text: wanted"));
-    }
-  }
+TEST(Characters, OfALineAreOneParagraph) {
+  EXPECT_THAT(lines_of("a\tb\r\n\nשלום\n"), testing::ElementsAre(U"a b", U"", U"שלום", U""));
 }
 
 TEST(DisplayProfile, IsKeptForEachScreenAndReadBack) {

@@ -15,22 +15,27 @@ std::string numbered(const AnswerRow& row, std::size_t i) {
 }
 
 std::vector<Rect> buttons_of(const Stage& stage, const Rect& questions, const AnswerRow& row, Font font) {
-  const double em = stage.ui.em(), count = static_cast<double>(row.labels.size());
   double width_px = 0;
   for (std::size_t i = 0; i < row.labels.size(); ++i)
     width_px = std::max(width_px, stage.canvas().measure(font, numbered(row, i)).width_px);
-  width_px = std::round(width_px + 1.4 * em);
-  const double gap_px = std::round(0.5 * em);
-  const double total_px = count * width_px + (count - 1) * gap_px;
-  std::vector<Rect> buttons;
-  for (std::size_t i = 0; i < row.labels.size(); ++i)
-    buttons.push_back(
-        {std::round((stage.screen_px.width_px - total_px) / 2 + static_cast<double>(i) * (width_px + gap_px)),
-         std::round(questions.y_px + 2.5 * em), width_px, std::round(2 * em)});
-  return buttons;
+  return row_of_buttons(stage, questions, static_cast<int>(row.labels.size()),
+                        std::round(width_px + 1.4 * stage.ui.em()));
 }
 
 }  // namespace
+
+std::vector<Rect> row_of_buttons(const Stage& stage, const Rect& questions, int count, double width_px) {
+  const double em = stage.ui.em(), gap_px = std::round(0.5 * em);
+  const double total_px = count * width_px + (count - 1) * gap_px;
+  std::vector<Rect> buttons;
+  for (int i = 0; i < count; ++i) {
+    const int from_left = stage.canvas().right_to_left() ? count - 1 - i : i;
+    buttons.push_back(
+        {std::round((stage.screen_px.width_px - total_px) / 2 + from_left * (width_px + gap_px)),
+         std::round(questions.y_px + 2.5 * em), width_px, std::round(2 * em)});
+  }
+  return buttons;
+}
 
 bool uses_focus(const Stage& stage) {
   return stage.input.key && !stage.input.key->repeated &&
@@ -55,7 +60,8 @@ void move_focus(Stage& stage, int first, int last) {
 int draw_answer_row(Stage& stage, const Rect& questions, const AnswerRow& row) {
   Font font = Font::body;
   std::vector<Rect> buttons = buttons_of(stage, questions, row, font);
-  if (buttons.front().x_px < 8) buttons = buttons_of(stage, questions, row, font = Font::small);
+  if (std::min(buttons.front().x_px, buttons.back().x_px) < 8)
+    buttons = buttons_of(stage, questions, row, font = Font::small);
   int taken = -1;
   for (std::size_t i = 0; i < buttons.size(); ++i) {
     const Rect& rect = buttons[i];

@@ -14,6 +14,10 @@ struct AnswerRow {
   int focus = -1;                   ///< the one that the keyboard is on, from 0; -1: none
 };
 
+/// Places for so many buttons of one width side by side in that strip, the first where lines begin.
+[[nodiscard]] std::vector<Rect> row_of_buttons(const Stage& stage, const Rect& questions, int count,
+                                               double width_px);
+
 /// Draws the row, and returns the answer from 0 that was clicked, or used by Enter or Space; -1: none. Digits
 /// are the caller's: what they mean depends on the question.
 [[nodiscard]] int draw_answer_row(Stage& stage, const Rect& questions, const AnswerRow& row);

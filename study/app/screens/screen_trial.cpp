@@ -80,24 +80,16 @@ Outcome choose(const TrialOnScreen& trial) {
   return Event(ObjectChosen{chosen, stage.input.now_ns});
 }
 
-std::array<Rect, 4> rating_buttons(const TrialOnScreen& trial, Font font) {
+std::vector<Rect> rating_buttons(const TrialOnScreen& trial, Font font) {
   const Stage& stage = trial.stage;
-  const double em = stage.ui.em();
   double width_px = 0;
   for (std::size_t i = 0; i < 4; ++i)
     width_px = std::max(
         width_px, stage.canvas()
                       .measure(font, fmt::format("{}  {}", i + 1, stage.set.study.session.rating_labels[i]))
                       .width_px);
-  width_px = std::round(width_px + 1.4 * em);
-  const double gap_px = std::round(0.5 * em);
-  const double total_px = 4 * width_px + 3 * gap_px;
-  std::array<Rect, 4> buttons;
-  for (std::size_t i = 0; i < 4; ++i)
-    buttons.at(i) = {
-        std::round((stage.screen_px.width_px - total_px) / 2 + static_cast<double>(i) * (width_px + gap_px)),
-        std::round(trial.place.questions.y_px + 2.5 * em), width_px, std::round(2 * em)};
-  return buttons;
+  return row_of_buttons(stage, trial.place.questions, highest_rating,
+                        std::round(width_px + 1.4 * stage.ui.em()));
 }
 
 Outcome rate(const TrialOnScreen& trial, const Rating& phase) {
@@ -113,8 +105,9 @@ Outcome rate(const TrialOnScreen& trial, const Rating& phase) {
   trial.bracket(phase.chosen_index, Bracket::chosen);  // over the others
 
   Font font = Font::body;
-  std::array<Rect, 4> buttons = rating_buttons(trial, font);
-  if (buttons[0].x_px < 8) buttons = rating_buttons(trial, font = Font::small);
+  std::vector<Rect> buttons = rating_buttons(trial, font);
+  if (std::min(buttons.front().x_px, buttons.back().x_px) < 8)
+    buttons = rating_buttons(trial, font = Font::small);
   int rating = 0;
   for (int i = 0; i < highest_rating; ++i) {
     const Rect& rect = buttons.at(static_cast<std::size_t>(i));
@@ -262,7 +255,13 @@ Outcome draw(const TrainingScreen&, const Visit& visit, Stage& stage) {
       Phrase::training_hint, {{"done", fmt::format("{}", answered_trials(visit.training.trials) + 1)},
                               {"all", fmt::format("{}", most_trials(visit.training.trials))}});
   Outcome outcome = draw_trial(visit.training, stage);
-  stage.canvas().text(Font::small, {stage.ui.em(), 0.6 * stage.ui.em()}, hint, look::ink_on_background);
+  const double margin_px = stage.ui.em();
+  const double hint_px = stage.canvas().measure(Font::small, hint).width_px;
+  stage.canvas().text(
+      Font::small,
+      {stage.canvas().right_to_left() ? stage.screen_px.width_px - hint_px - margin_px : margin_px,
+       0.6 * margin_px},
+      hint, look::ink_on_background);
   return outcome;
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include "stimuli/definition/parts/task_definition.h"
-#include "window/characters.h"
 
 namespace seamline::study::app {
 
@@ -32,16 +31,6 @@ std::vector<ShownText> shown_texts(const StudyDefinition& study) {
   for (const PhraseEntry& entry : every_phrase())
     texts.push_back({fmt::format("texts.{}", entry.key), phrase_text(study.texts, entry.phrase)});
   return texts;
-}
-
-std::string characters_needed(const RenderedSet& set) {
-  const std::string file = (set.folder / set.manifest.study_file).string();
-  std::string all;
-  for (const ShownText& shown : shown_texts(set.study)) {
-    refuse_text_that_needs_shaping(file, shown.field, shown.text);
-    all += shown.text;
-  }
-  return all;
 }
 
 }  // namespace seamline::study::app

@@ -15,7 +15,4 @@ struct ShownText {
 /// Every text that a participant of the study may see.
 [[nodiscard]] std::vector<ShownText> shown_texts(const StudyDefinition& study);
 
-/// All of them together, for the font. Throws InputError for a text that cannot be set (see characters.h).
-[[nodiscard]] std::string characters_needed(const RenderedSet& set);
-
 }  // namespace seamline::study::app

@@ -97,15 +97,17 @@ void draw_question(Stage& stage, const TrialPlace& place, Font font, const std::
 void draw_progress(Stage& stage, int done, int all) {
   const double height_px = 4, bottom_px = stage.screen_px.height_px - height_px;
   stage.canvas().fill({0, bottom_px, stage.screen_px.width_px, height_px}, grey(116));
-  if (all > 0)
-    stage.canvas().fill({0, bottom_px, std::round(stage.screen_px.width_px * done / all), height_px},
-                        grey(84));
+  const bool mirrored = stage.canvas().right_to_left();
+  const double done_px = all > 0 ? std::round(stage.screen_px.width_px * done / all) : 0;
+  stage.canvas().fill({mirrored ? stage.screen_px.width_px - done_px : 0, bottom_px, done_px, height_px},
+                      grey(84));
   const std::string text =
       stage.phrase(Phrase::progress, {{"done", fmt::format("{}", done)}, {"all", fmt::format("{}", all)}});
   const Size size = stage.canvas().measure(Font::small, text);
+  const double margin_px = stage.ui.em();
   stage.canvas().text(Font::small,
-                      {stage.screen_px.width_px - size.width_px - stage.ui.em(),
-                       bottom_px - size.height_px - 0.4 * stage.ui.em()},
+                      {mirrored ? margin_px : stage.screen_px.width_px - size.width_px - margin_px,
+                       bottom_px - size.height_px - 0.4 * margin_px},
                       text, grey(88));
 }
 
