@@ -15,7 +15,6 @@ namespace seamline::inline stimuli {
 namespace {
 
 constexpr std::string_view clip_magic = "seamline clip 1\n";
-constexpr std::int64_t largest_clip_bytes = std::int64_t{1} << 32;
 constexpr std::size_t most_deflated = 1032;  ///< bytes that zlib packs into one
 constexpr int most_clip_px = 16384, most_clip_frames = 999;
 

@@ -12,6 +12,8 @@ namespace seamline::inline stimuli {
 // frame its bytes in the file and the SHA-256 of its pixels), then the frames, each a zlib stream. The first
 // frame is whole; every other is its difference to the one before, modulo 256. Nothing is lost.
 
+inline constexpr std::int64_t largest_clip_bytes = std::int64_t{1} << 32;
+
 struct ClipShape {
   int width_px = 0, height_px = 0;
   int channels = 3;  ///< 1: a click map

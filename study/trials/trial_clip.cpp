@@ -6,6 +6,7 @@
 #include "stimuli/pictures/attention_image.h"
 #include "stimuli/set/clip_set.h"
 #include "stimuli/set/manifest_pictures.h"
+#include "support/files/atomic_file.h"
 #include "support/files/hash.h"
 #include "support/text/error.h"
 
@@ -16,24 +17,19 @@ const ManifestStimulus& stimulus_of(const RenderedSet& set, const Trial& trial) 
   return set.manifest.stimuli.at(static_cast<std::size_t>(trial.stimulus));
 }
 
-ClipReader open_clip(const RenderedSet& set, const std::vector<ClipRecord>& records,
-                     const std::string& name) {
+/// A clip of the set, whose bytes are those that it was rendered with.
+std::filesystem::path checked_clip(const RenderedSet& set, const std::vector<ClipRecord>& records,
+                                   const std::string& name) {
   const auto found =
       std::find_if(records.begin(), records.end(), [&](const ClipRecord& one) { return one.name == name; });
   if (found == records.end())
     throw input_error(
         {.file = (set.folder / clip_set_file).string(), .wanted = "a clip of " + name, .found = "none"});
-  const std::filesystem::path path = path_in_set(set.folder, found->file);
+  std::filesystem::path path = path_in_set(set.folder, found->file);
   if (sha256_of_file(path) != found->sha256)
     throw input_error(
         {.file = path.string(), .wanted = "the clip that the set was rendered with", .found = "other bytes"});
-  return ClipReader(path);
-}
-
-ClipReader picture_of(const RenderedSet& set, const ClipSet& clips, const Trial& trial) {
-  const ManifestStimulus& stimulus = stimulus_of(set, trial);
-  return trial.kind == TrialKind::stimulus ? open_clip(set, clips.stimuli, stimulus.id)
-                                           : open_clip(set, clips.references, truth_of(stimulus.stimulus));
+  return path;
 }
 
 ClipSet clips_of(const RenderedSet& set) {
@@ -43,14 +39,24 @@ ClipSet clips_of(const RenderedSet& set) {
   return std::move(*clips);
 }
 
+/// Of the trial's pictures; an attention trial's are made of the reference's.
+std::filesystem::path file_of(const RenderedSet& set, const Trial& trial) {
+  const ClipSet clips = clips_of(set);
+  const ManifestStimulus& stimulus = stimulus_of(set, trial);
+  return trial.kind == TrialKind::stimulus ? checked_clip(set, clips.stimuli, stimulus.id)
+                                           : checked_clip(set, clips.references, truth_of(stimulus.stimulus));
+}
+
+ClipReader click_maps_of(const RenderedSet& set, const Trial& trial) {
+  return ClipReader(checked_clip(set, clips_of(set).click_maps, truth_of(stimulus_of(set, trial).stimulus)));
+}
+
 }  // namespace
 
-TrialClip::TrialClip(const RenderedSet& set, const Trial& trial)
-    : picture_(picture_of(set, clips_of(set), trial)) {
+TrialClip::TrialClip(const RenderedSet& set, const Trial& trial) : picture_(file_of(set, trial)) {
   if (trial.kind != TrialKind::attention) return;
-  const Stimulus& stimulus = stimulus_of(set, trial).stimulus;
-  click_map_.emplace(open_clip(set, clips_of(set).click_maps, truth_of(stimulus)));
-  object_ = stimulus.object_index;
+  click_map_.emplace(click_maps_of(set, trial));
+  object_ = stimulus_of(set, trial).stimulus.object_index;
 }
 
 ByteImage TrialClip::next() {
@@ -62,8 +68,16 @@ bool shows_clips(const RenderedSet& set) {
   return set.study.clip != nullptr;
 }
 
+std::string clip_bytes(const RenderedSet& set, const Trial& trial) {
+  if (trial.kind != TrialKind::attention) return read_file(file_of(set, trial), largest_clip_bytes);
+  TrialClip clip(set, trial);
+  ClipWriter writer(clip.shape());
+  for (int frame = 0; frame < clip.frames(); ++frame) writer.add(clip.next());
+  return writer.bytes();
+}
+
 std::vector<ObjectMap> objects_of_frames(const RenderedSet& set, const Trial& trial) {
-  ClipReader reader = open_clip(set, clips_of(set).click_maps, truth_of(stimulus_of(set, trial).stimulus));
+  ClipReader reader = click_maps_of(set, trial);
   std::vector<ObjectMap> maps;
   for (int frame = 0; frame < reader.frames(); ++frame) maps.push_back(make_object_map(reader.decode()));
   return maps;

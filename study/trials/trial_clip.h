@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "stimuli/set/clip_file.h"
@@ -17,6 +18,7 @@ class TrialClip {
   TrialClip(const RenderedSet& set, const Trial& trial);
   [[nodiscard]] int frames() const { return picture_.frames(); }
   [[nodiscard]] double frames_per_s() const { return picture_.shape().frames_per_s; }
+  [[nodiscard]] const ClipShape& shape() const { return picture_.shape(); }
   [[nodiscard]] ByteImage next();
 
  private:
@@ -27,6 +29,10 @@ class TrialClip {
 
 /// Whether trials of this set are clips.
 [[nodiscard]] bool shows_clips(const RenderedSet& set);
+
+/// The file of the clip that a trial shows, three channels; made where the set has none (attention). Throws
+/// as TrialClip.
+[[nodiscard]] std::string clip_bytes(const RenderedSet& set, const Trial& trial);
 
 /// Where the objects of a trial's scene are in each frame. A second a hundred million pixels.
 [[nodiscard]] std::vector<ObjectMap> objects_of_frames(const RenderedSet& set, const Trial& trial);

@@ -1,10 +1,14 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "run_program.h"
+#include "running_program.h"
 
 namespace seamline {
 namespace {
@@ -95,6 +99,56 @@ TEST(RenderedClips, PiecesAndThreadsGiveTheSameBytes) {
   EXPECT_EQ(rest.status, 0) << rest.output;
   EXPECT_EQ(test::read_text(whole / "manifest.json"), test::read_text(pieces / "manifest.json"));
   EXPECT_EQ(test::read_text(whole / "clips.json"), test::read_text(pieces / "clips.json"));
+}
+
+TEST(RenderedClips, AKilledRenderGoesOnToTheSameBytes) {
+  const fs::path folder = test::fresh_folder("clips_killed");
+  test::write_small_study(folder, moving_study("", "0.5"));
+  const auto arguments = [&](const std::string& set) {
+    return std::vector<std::string>{"render", (folder / "study.toml").string(),
+                                    "--out",  (folder / set).string(),
+                                    "--spp",  "2",
+                                    "--only", "gazebo-shadow-*"};
+  };
+  const auto render = [&](const std::string& set) {
+    std::string words;
+    for (const std::string& word : arguments(set)) words += word + " ";
+    const auto ran = test::run_built(words);
+    EXPECT_EQ(ran.status, 0) << ran.output;
+  };
+  const test::Running killed = test::start(arguments("killed"), folder / "said.txt", 2000);
+  ASSERT_TRUE(test::stands_still(killed)) << test::read_text(killed.output);
+  EXPECT_EQ(test::status_after(killed, SIGKILL), 128 + SIGKILL);
+  EXPECT_FALSE(fs::exists(folder / "killed" / "manifest.json"));
+  EXPECT_FALSE(fs::is_empty(folder / "killed" / "records")) << "something was finished before";
+  render("killed");
+  render("whole");
+  for (const char* file : {"manifest.json", "clips.json"})
+    EXPECT_EQ(test::read_text(folder / "whole" / file), test::read_text(folder / "killed" / file));
+}
+
+TEST(RenderedClips, APageHoldsTheClipsAndWhereTheObjectsAreInEachFrame) {
+  const fs::path set = rendered("page", moving_study("", "0.5"));
+  const fs::path page = set.parent_path() / "web";
+  const auto exported = test::run_seamline("export web " + set.string() + " " + page.string() + " --pilot");
+  ASSERT_EQ(exported.status, 0) << exported.output;
+  const Json study = Json::parse(test::read_text(page / "study.json"));
+  EXPECT_EQ(study.at("clip").at("frames_per_s"), 4);
+  EXPECT_EQ(study.at("clip").at("loops"), true);
+  std::vector<std::string> shown, made;
+  for (const Json& stimulus : study.at("stimuli")) shown.push_back(stimulus.at("sha256"));
+  const Json list = Json::parse(test::read_text(set / "clips.json"));
+  for (const Json& clip : list.at("stimuli")) made.push_back(clip.at("sha256"));
+  std::sort(shown.begin(), shown.end());
+  std::sort(made.begin(), made.end());
+  EXPECT_EQ(shown, made);
+  for (const Json& picture : study.at("pictures")) {
+    const Json maps = Json::parse(test::read_text(page / std::string(picture.at("map"))));
+    ASSERT_EQ(maps.size(), 3U);
+    const Json& first = maps.at(0).at("frames").at(0);
+    const Json& last = maps.at(2).at("frames").at(0);
+    EXPECT_LT(first.at("x_px").get<int>(), last.at("x_px").get<int>()) << "the left object goes right";
+  }
 }
 
 }  // namespace seamline

@@ -7,7 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include "stimuli/set/clip_set.h"
 #include "stimuli/study_file/people/study_file_language.h"
 #include "study/online/page/web_study.h"
 #include "study/trials/study_languages.h"
@@ -180,7 +179,6 @@ std::vector<std::vector<std::string>> add_instruction_pictures(const RenderedSet
 
 WebSummary export_web(const WebRequest& request) {
   const RenderedSet set = load_rendered_set(request.set_folder);
-  refuse_clips(request.set_folder, "a page for browsers");
   check_request(set, request);
   const fs::path target = fs::absolute(request.out_folder).lexically_normal();
   const fs::path out = target.has_filename() ? target : target.parent_path();  // "dir/" is dir

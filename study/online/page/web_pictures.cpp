@@ -6,6 +6,7 @@
 #include "stimuli/definition/looks/study_look.h"
 #include "stimuli/definition/parts/task_definition.h"
 #include "stimuli/set/manifest_pictures.h"
+#include "study/trials/trial_clip.h"
 #include "study/trials/trial_picture.h"
 #include "support/files/atomic_file.h"
 #include "support/files/temporary_folder.h"
@@ -32,6 +33,7 @@ std::string attention_bytes(const RenderedSet& set, const Trial& trial) {
 }
 
 std::string picture_bytes(const RenderedSet& set, const Trial& trial) {
+  if (shows_clips(set)) return clip_bytes(set, trial);
   const ManifestStimulus& record = record_at(set, trial.stimulus);
   switch (trial.kind) {
     case TrialKind::stimulus:
@@ -75,6 +77,23 @@ std::vector<Trial> every_trial(const RenderedSet& set, const ShownNames& names) 
   return trials;
 }
 
+/// The map of a trial's picture, or of each frame of its clip.
+std::string maps_text(const RenderedSet& set, const Trial& trial) {
+  if (is_panorama(set.study)) return packed_map(make_panorama_map(load_object_ids(set, trial)));
+  if (!shows_clips(set)) return packed_map(make_object_map(load_object_ids(set, trial)));
+  std::string text;
+  for (const ObjectMap& map : objects_of_frames(set, trial))
+    text += (text.empty() ? "[" : ",") + packed_map(map);
+  return text + "]\n";
+}
+
+/// Trials with the same name have the same maps. The click map in the manifest is a clip's middle frame's.
+std::string name_of_maps(const RenderedSet& set, const Trial& trial) {
+  const Stimulus& stimulus = record_at(set, trial.stimulus).stimulus;
+  return shows_clips(set) ? truth_of(stimulus)
+                          : reference_of(set.folder, set.manifest, stimulus).object_ids_sha256;
+}
+
 }  // namespace
 
 std::string packed_map(const ObjectMap& map) {
@@ -100,22 +119,17 @@ std::string packed_map(const ObjectMap& map) {
 
 WebPictures add_pictures(const RenderedSet& set, const ShownNames& names, WebFiles& files) {
   WebPictures pictures;
-  std::map<std::string, std::string> of_subject, map_of_ids;
+  const char* const folder = shows_clips(set) ? "clips" : "pictures";
+  const char* const ending = shows_clips(set) ? ".clip" : ".png";
+  std::map<std::string, std::string> of_subject, map_of_name;
   for (const Trial& trial : every_trial(set, names)) {
     stop_if_interrupted();
     std::string& file = of_subject[subject_of(set, trial)];
-    if (file.empty()) file = files.add_by_content("pictures", picture_bytes(set, trial), ".png");
+    if (file.empty()) file = files.add_by_content(folder, picture_bytes(set, trial), ending);
     pictures.file[{trial.kind, trial.stimulus}] = file;
     if (pictures.map.contains(file)) continue;
-    const ManifestReference& reference =
-        reference_of(set.folder, set.manifest, record_at(set, trial.stimulus).stimulus);
-    std::string& map = map_of_ids[reference.object_ids_sha256];
-    if (map.empty())
-      map = files.add_by_content(
-          "maps",
-          packed_map(is_panorama(set.study) ? make_panorama_map(load_object_ids(set, trial))
-                                            : make_object_map(load_object_ids(set, trial))),
-          ".json");
+    std::string& map = map_of_name[name_of_maps(set, trial)];
+    if (map.empty()) map = files.add_by_content("maps", maps_text(set, trial), ".json");
     pictures.map[file] = map;
   }
   return pictures;

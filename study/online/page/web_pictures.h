@@ -17,10 +17,10 @@ struct WebPictures {
   std::map<std::string, std::string> map;                 ///< the objects' map of a picture's file
 };
 
-/// Adds every picture that a trial of the set can show, and the maps of where their objects are. Stimuli and
-/// references are copied byte for byte after their bytes were compared with the manifest's; those of
-/// attention trials are made as the window makes them. Throws InputError naming the picture that is missing
-/// or changed.
+/// Adds every picture or clip that a trial of the set can show, and the maps of where their objects are (of a
+/// clip an array of them, one a frame). Stimuli and references are copied byte for byte after their bytes
+/// were compared with the manifest's; those of attention trials are made as the window makes them. Throws
+/// InputError naming the picture that is missing or changed.
 [[nodiscard]] WebPictures add_pictures(const RenderedSet& set, const ShownNames& names, WebFiles& files);
 
 /// An object map as JSON: size, frames, and `runs`: count and object by turns, row after row.

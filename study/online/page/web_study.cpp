@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "stimuli/definition/looks/study_look.h"
+#include "stimuli/definition/moving/clip_definition.h"
 #include "stimuli/definition/parts/task_definition.h"
 #include "stimuli/definition/people/language_definition.h"
 #include "stimuli/definition/people/recruitment_definition.h"
@@ -228,6 +229,7 @@ std::string web_study_text(const WebStudy& web) {
     for (const LanguageDefinition& language : study.languages->languages)
       json["languages"].push_back({{"tag", language.tag}, {"file", language_file(language.tag)}});
   }
+  if (study.clip) json["clip"] = {{"frames_per_s", study.clip->frames_per_s}, {"loops", study.clip->loops}};
   if (study.task) json["task"] = task_json(study, script.pace.task);
   return json.dump(1) + "\n";
 }

@@ -1,16 +1,11 @@
-// Pictures: loaded one after another ahead of need, their hashes checked, decoded before they are due.
+// Pictures and clips: loaded one after another ahead of need, their hashes checked, decoded before they are due.
 import { cacheAfter, fetchFile, fetchJson, persistently } from "./keeping/patience.js";
 import { NotNow } from "./keeping/verdict.js";
 import { unpackMap } from "./core/place.js";
+import { openClip } from "./clips.js";
+import { sha256 } from "./hash.js";
 
 const MOST_DECODED = 6; // a trial may show two, and the next one two others
-
-/** SHA-256 in hexadecimal; null where the browser has none to offer (no https, no localhost). */
-async function sha256(bytes) {
-  if (!globalThis.crypto?.subtle) return null;
-  const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", bytes));
-  return Array.from(digest, (byte) => byte.toString(16).padStart(2, "0")).join("");
-}
 
 async function isRight(bytes, wanted) {
   if (bytes.byteLength !== wanted.bytes) return false;
@@ -25,21 +20,24 @@ async function fetchChecked(wanted, cache) {
   throw new NotNow(wanted.file + ": not the picture that was exported");
 }
 
-async function decode(bytes) {
+async function decode(blob) {
   const image = new Image();
-  const address = URL.createObjectURL(new Blob([bytes], { type: "image/png" }));
+  const address = URL.createObjectURL(blob);
   image.src = address;
   await image.decode();
   image.release = () => URL.revokeObjectURL(address);
   return image;
 }
 
-/** `known` lists the study's pictures; `away` hears of one that cannot be reached, `progress` how many are here. */
-export function makePictures(known, { away, progress }) {
+/**
+ * `known` lists the study's pictures, `plays` how its clips are shown, where these are clips; `away` hears of one that cannot be
+ * reached, `progress` how many are here, `failed` of a clip that cannot be decoded.
+ */
+export function makePictures(known, plays, { away, progress, failed }) {
   const facts = new Map(known.map((picture) => [picture.file, picture]));
-  const bytes = new Map(); // as they came, compressed
+  const bytes = new Map(); // as they came, compressed: blobs, which a browser need not hold in memory
   const decoded = new Map(); // in the order of their use, the latest last
-  const maps = new Map();
+  const maps = new Map(); // of a clip a packed one of each frame
   let queue = [];
   let loading = null;
 
@@ -52,10 +50,14 @@ export function makePictures(known, { away, progress }) {
 
   async function fetchAll(file) {
     const patiently = (ask) => persistently((failures) => ask(cacheAfter(failures)), away);
-    if (!bytes.has(file)) bytes.set(file, await patiently((cache) => fetchChecked(facts.get(file), cache)));
+    if (!bytes.has(file)) {
+      const found = await patiently((cache) => fetchChecked(facts.get(file), cache));
+      bytes.set(file, new Blob([found], plays ? {} : { type: "image/png" }));
+    }
     const mapFile = facts.get(file).map;
     if (!maps.has(mapFile)) {
-      maps.set(mapFile, unpackMap(await patiently((cache) => fetchJson(mapFile, cache))));
+      const packed = await patiently((cache) => fetchJson(mapFile, cache));
+      maps.set(mapFile, plays ? packed : unpackMap(packed));
     }
     progress(bytes.size, facts.size);
   }
@@ -79,14 +81,23 @@ export function makePictures(known, { away, progress }) {
     return image;
   }
 
+  async function readyClip(file) {
+    await load(file);
+    const clip = openClip(new Uint8Array(await bytes.get(file).arrayBuffer()), plays, failed);
+    const packed = maps.get(facts.get(file).map);
+    const mapOf = (frame) => unpackMap(packed[frame]);
+    return { image: clip.canvas, map: mapOf(0), clip, mapOf };
+  }
+
   return {
     /** What is needed from now on, the most urgent first. */
     want(files) {
       queue = [...new Set([...files, ...queue])].filter((file) => facts.has(file) && !bytes.has(file));
       loading ??= loadAll();
     },
-    /** The decoded picture and the map of its objects. */
+    /** The decoded picture and the map of its objects. Of a clip its canvas, `clip` that plays it, and `mapOf` its frames. */
     async ready(file) {
+      if (plays) return readyClip(file);
       if (decoded.has(file)) return { image: use(file, decoded.get(file)), map: maps.get(facts.get(file).map) };
       await load(file);
       const image = await decode(bytes.get(file));

@@ -55,6 +55,7 @@ function unfit(study) {
   if (mobile || (matchMedia("(any-pointer: coarse)").matches && !matchMedia("(any-pointer: fine)").matches))
     return words("online_touch");
   if (!canBeExact()) return words("online_browser", { message: "devicePixelContentBox" });
+  if (study.clip && !("DecompressionStream" in globalThis)) return words("online_browser", { message: "DecompressionStream" });
   const found = { width: Math.round(screen.width * devicePixelRatio), height: Math.round(screen.height * devicePixelRatio) };
   if (found.width < study.picture.width || found.height < study.picture.height)
     return words("online_small", {
@@ -130,7 +131,7 @@ class Study {
       pace: { ...study.pace, task: study.task },
     };
     this.screen = watchScreen(document.getElementById("probe"), (kind, detail) => this.note(kind, detail));
-    this.pictures = makePictures(study.pictures, { away: this.away, progress: () => this.#showStatus() });
+    this.pictures = makePictures(study.pictures, study.clip ?? null, { away: this.away, progress: () => this.#showStatus(), failed: (error) => this.failed(error) });
     this.guard = makeGuard(this, document.getElementById("guard"));
     watchAttention((kind, detail, at) => this.note(kind, detail, at));
   }

@@ -161,9 +161,12 @@ function objectButtons(app, stage, map, choose) {
     })
   );
   stage.objects.replaceChildren(...buttons);
-  const place = () => {
+  let frames = map.frames;
+  /** `moved`: where the objects are from now on. */
+  const place = (moved = frames) => {
     const ratio = devicePixelRatio;
-    map.frames.forEach((frame, at) => {
+    frames = moved;
+    frames.forEach((frame, at) => {
       buttons[at].hidden = frame === null;
       if (frame === null) return;
       buttons[at].style.left = (stage.place.x + frame.x_px) / ratio + "px";
@@ -184,7 +187,8 @@ function drawTrial(app, display, isPractice) {
   app.looking = view; // for tests, and for who looks
   const stage = makeStage(app, display, view.size_px);
   const detail = isPractice ? "practice" : "";
-  let picture = null; // {image, map} once it is decoded
+  let picture = null; // {image, map} once it is decoded; of a clip `map` is that of the frame on the screen
+  let pointer = null; // where the mouse is in the picture
   let controls = null;
   let ratings = [];
   let hovered = 0;
@@ -202,6 +206,7 @@ function drawTrial(app, display, isPractice) {
   const choose = answers.choose;
   const rate = (rating, event) => {
     if (!isPractice && phase().name === "rating") view.poses.take().forEach((poses) => app.note("look", poses));
+    if (picture?.clip && phase().name === "rating") app.note("clip", (detail + " " + picture.clip.showing()).trim(), event.timeStamp);
     answers.rate(rating, event);
   };
 
@@ -263,9 +268,11 @@ function drawTrial(app, display, isPractice) {
     if (now.name === "grey" || now.name === "awaiting") {
       ratings = [];
       moved = false;
+      if (picture?.clip?.rewind()) followObjects();
     }
     drawBrackets();
-    if (open && frame === null && (["grey", "awaiting"].includes(now.name) || (now.name === "choosing" && !asking)))
+    const plays = ["choosing", "rating"].includes(now.name) && picture?.clip?.isPlaying();
+    if (open && frame === null && (["grey", "awaiting"].includes(now.name) || (now.name === "choosing" && !asking) || plays))
       frame = nextFrame();
     if (view.worn) wearing(now, visible, asking);
   }
@@ -337,19 +344,28 @@ function drawTrial(app, display, isPractice) {
         lateness.tell(now);
         view.poses.add(0, view.pose());
         step({ type: "image_shown", now_ns: nanoseconds(now) });
-      } else if (picture && isSeen() && app.guard.problem() === null) {
+      } else if (picture && (picture.clip?.isReady() ?? true) && isSeen() && app.guard.problem() === null) {
         shownWith = now;
       }
     }
     if (phase().name !== "awaiting") shownWith = null;
+    if (picture?.clip && ["choosing", "rating"].includes(phase().name))
+      if (picture.clip.play(now - phase().onset_ns / 1e6, 1000 / (app.screen.refreshHz() || 60))) followObjects();
     if (open) update();
+  }
+
+  /** Corners and clicks are where the objects are in the clip's frame. */
+  function followObjects() {
+    picture.map = picture.mapOf(picture.clip.frame());
+    controls.place(view.frames(picture.map));
+    if (pointer !== null) hovered = view.objectAt(picture.map, pointer);
   }
 
   const onMove = (event) => {
     if (!picture || !stage.place) return;
     const ratio = devicePixelRatio;
     moved = true;
-    const at = { x: event.clientX * ratio - stage.place.x, y: event.clientY * ratio - stage.place.y };
+    const at = (pointer = { x: event.clientX * ratio - stage.place.x, y: event.clientY * ratio - stage.place.y });
     if (grabbed && event.type === "pointermove") drag(event);
     hovered = grabbed?.moved ? 0 : view.objectAt(picture.map, at);
     stage.node.classList.toggle("over-object", hovered > 0 && !stage.questions.hidden);
@@ -443,7 +459,7 @@ function drawTrial(app, display, isPractice) {
   app.pictures.ready(trial.picture).then((ready) => {
     clearTimeout(loadingWords);
     app.showLoading(false);
-    if (!open) return;
+    if (!open) return ready.clip?.stop();
     picture = ready;
     const shown = view.shown(ready.image);
     if (!view.worn) stage.put(shown);
@@ -451,7 +467,7 @@ function drawTrial(app, display, isPractice) {
     controls.place();
     update();
     const next = ahead[1];
-    if (next) app.pictures.ready(next.picture).catch(() => {}); // decoded while this one is looked at
+    if (next && !ready.clip) app.pictures.ready(next.picture).catch(() => {}); // decoded while this one is looked at
   }, app.failed);
   update();
 
@@ -459,6 +475,7 @@ function drawTrial(app, display, isPractice) {
     update,
     close() {
       open = false;
+      picture?.clip?.stop();
       clearTimeout(loadingWords);
       app.showLoading(false);
       if (frame !== null && frame !== -1) cancelAnimationFrame(frame);
@@ -500,6 +517,8 @@ export function drawFeedback(app, display) {
   stage.hint.remove();
   stage.layOut();
   let map = null;
+  let clip = null;
+  let over = false;
   const layOut = () => {
     stage.layOut();
     stage.bracket([]);
@@ -508,6 +527,8 @@ export function drawFeedback(app, display) {
   const stopWatching = app.screen.onChange(layOut);
   app.pictures.ready(trial.picture).then(async (ready) => {
     await app.headset?.over;
+    clip = ready.clip; // at its first frame
+    if (over) return clip?.stop();
     map = ready.map;
     const shown = view.shown(ready.image);
     if (right > 0) view.lookAt(ready.map.frames[right - 1]);
@@ -519,6 +540,8 @@ export function drawFeedback(app, display) {
   app.focus(button);
   return {
     close() {
+      over = true;
+      clip?.stop();
       stopWatching();
       app.screen.watchPicture(null);
     },
