@@ -50,8 +50,8 @@ void add_garden(SceneContents& garden, Random& random) {
 
 void place_by_pavilion(GeneratedScene& scene, std::size_t object, Random& random) {
   PlacedObject& placed = scene.objects[object];
-  constexpr std::array<double, 3> middle_x_m = {-2.9, -0.1, 2.6};
-  const double x = middle_x_m[object] + between(random, -0.35, 0.35);
+  constexpr std::array<double, 3> middle_x_m = {-2.7, -0.15, 2.35};
+  const double x = middle_x_m[object] + between(random, -0.25, 0.25);
   placed.position_m = {
       x, 0, lawn_camera_z_m - std::sqrt(lawn_circle_m * lawn_circle_m - x * x) + between(random, -0.2, 0.24)};
   placed.yaw_deg = 20 + between(random, -20, 20);
