@@ -116,46 +116,18 @@ fs::path study_of_many_scenes() {
 }
 
 /// Every command, and which of its ways.
-const std::vector<std::pair<std::string, std::string>> commands = {{"demo", ""},
-                                                                   {"render", ""},
-                                                                   {"job write", ""},
-                                                                   {"verify", ""},
-                                                                   {"check", ""},
-                                                                   {"check", "set"},
-                                                                   {"lab convergence", ""},
-                                                                   {"capture", ""},
-                                                                   {"mesh", ""},
-                                                                   {"composite", ""},
-                                                                   {"lab bench", ""},
-                                                                   {"study", "threshold"},
-                                                                   {"study", "image"},
-                                                                   {"log status", ""},
-                                                                   {"log recover", ""},
-                                                                   {"analyze", ""},
-                                                                   {"fit", "levels"},
-                                                                   {"fit", "bootstrap"},
-                                                                   {"predict", ""},
-                                                                   {"plan", ""},
-                                                                   {"lab stability", ""},
-                                                                   {"register", ""},
-                                                                   {"calibrate", ""},
-                                                                   {"sense", ""},
-                                                                   {"picture", ""},
-                                                                   {"lab marker", ""},
-                                                                   {"views", ""},
-                                                                   {"settle", ""},
-                                                                   {"relight", ""},
-                                                                   {"record", ""},
-                                                                   {"live", ""},
-                                                                   {"export web", ""},
-                                                                   {"export tables", ""},
-                                                                   {"export x3d", ""},
-                                                                   {"lab person", ""},
-                                                                   {"lab field", ""},
-                                                                   {"import", ""},
-                                                                   {"merge", ""},
-                                                                   {"freeze", ""},
-                                                                   {"flip", ""}};
+const std::vector<std::pair<std::string, std::string>> commands = {
+    {"demo", ""},       {"render", ""},        {"job write", ""},       {"verify", ""},
+    {"check", ""},      {"check", "set"},      {"lab convergence", ""}, {"capture", ""},
+    {"mesh", ""},       {"composite", ""},     {"lab bench", ""},       {"study", "threshold"},
+    {"study", "image"}, {"log status", ""},    {"log recover", ""},     {"analyze", ""},
+    {"fit", "levels"},  {"fit", "bootstrap"},  {"predict", ""},         {"observe", ""},
+    {"plan", ""},       {"lab stability", ""}, {"register", ""},        {"calibrate", ""},
+    {"sense", ""},      {"picture", ""},       {"lab marker", ""},      {"views", ""},
+    {"settle", ""},     {"relight", ""},       {"record", ""},          {"live", ""},
+    {"export web", ""}, {"export tables", ""}, {"export x3d", ""},      {"lab person", ""},
+    {"lab scenes", ""}, {"lab field", ""},     {"import", ""},          {"merge", ""},
+    {"freeze", ""},     {"flip", ""}};
 
 std::vector<std::string> arguments_of(const std::string& command, const std::string& what) {
   const Work& at = work();
@@ -247,6 +219,8 @@ std::vector<std::string> arguments_of(const std::string& command, const std::str
   if (command == "merge") return {at.small_log.string(), at.log.string()};
   if (command == "export x3d") return {"builtin:bedroom", out, "--object", "builtin:statue", "--spp", "4096"};
   if (command == "lab person") return {"--out", out};
+  if (command == "lab scenes") return {"arcades", "--count", "99", "--out", out};
+  if (command == "observe") return {};
   if (command == "lab field") return {"builtin:statue", "--out", out + ".png"};
   if (command == "export tables") return {at.log.string(), out};
   if (command == "export web") return {at.set.string(), out, "--pilot", "--slots", "9999"};
