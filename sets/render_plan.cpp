@@ -24,22 +24,21 @@ std::string in_words(int number) {
 /// Says of one scene what its estimator's choices leave out.
 class ScenePlanner {
  public:
-  ScenePlanner(const StudyDefinition& study, const SceneDefinition& scene, const LightFacts& light,
+  ScenePlanner(const std::vector<Stimulus>& stimuli, const SceneDefinition& scene, const LightFacts& light,
                const RenderSettings& settings)
       : scene_(scene),
-        options_(estimate_options(study, scene, settings, 1)),
+        options_(estimate_options(stimuli, settings, 1)),
         light_(with_mesh_albedo(light, options_)),
         settings_(settings) {
     plan_ = {.scene = truth_of(scene), .light = light_};
     plan_.choices = estimator_choices(settings.estimator, light_, scene.exposure_ev, options_);
     std::set<std::pair<std::size_t, Isolation>> asking;
-    for (const Stimulus& stimulus : list_stimuli(study))
-      if (truth_of(stimulus) == truth_of(scene)) {
-        ++stimuli_;
-        const auto place = std::find(scene.artifacts.begin(), scene.artifacts.end(), stimulus.artifact);
-        asking.insert({static_cast<std::size_t>(place - scene.artifacts.begin()), stimulus.isolation});
-        meshes_.insert({stimulus.object_index, stimulus.depth});
-      }
+    for (const Stimulus& stimulus : stimuli) {
+      ++stimuli_;
+      const auto place = std::find(scene.artifacts.begin(), scene.artifacts.end(), stimulus.artifact);
+      asking.insert({static_cast<std::size_t>(place - scene.artifacts.begin()), stimulus.isolation});
+      meshes_.insert({stimulus.object_index, stimulus.depth});
+    }
     for (const auto& [artifact, isolation] : asking)
       plan_.answers.push_back({scene.artifacts[artifact], recipe(scene.artifacts[artifact], isolation)});
   }
@@ -201,34 +200,34 @@ class ScenePlanner {
 };
 
 /// By all stimuli of the truth, as everything else that its estimator decides.
-double most_mesh_albedo(const StudyDefinition& study, const SceneDefinition& scene) {
-  for (const Stimulus& stimulus : list_stimuli(study))
-    if (truth_of(stimulus) == truth_of(scene) && stimulus.depth.albedo == MeshAlbedo::photograph)
-      return static_cast<double>(most_photographed_albedo);
+double most_mesh_albedo(const std::vector<Stimulus>& of_truth) {
+  for (const Stimulus& stimulus : of_truth)
+    if (stimulus.depth.albedo == MeshAlbedo::photograph) return static_cast<double>(most_photographed_albedo);
   return 0;
 }
 
 }  // namespace
 
-EstimateOptions estimate_options(const StudyDefinition& study, const SceneDefinition& scene,
-                                 const RenderSettings& settings, int threads) {
-  const Answers asked = asked_of_depth(study, scene);
+EstimateOptions estimate_options(const std::vector<Stimulus>& of_truth, const RenderSettings& settings,
+                                 int threads) {
+  const Answers asked = asked_of_depth(of_truth);
   return {.spp = settings.spp,
           .error = settings.error,
           .seed = settings.seed,
           .threads = threads,
           .who_is_in_front = asked.occlusion == Who::depth,
           .depth_bounces = asked.bounce == Who::depth,
-          .most_mesh_albedo = most_mesh_albedo(study, scene),
+          .most_mesh_albedo = most_mesh_albedo(of_truth),
           .omit = settings.omit};
 }
 
 RenderPlan render_plan(const StudyDefinition& study, const std::map<std::string, LightFacts>& lights,
                        const RenderSettings& settings) {
   RenderPlan plan{.settings = settings, .isolation = study.isolation, .scenes = {}};
+  StimuliOfTruths stimuli = stimuli_of_truths(study);
   for (const SceneDefinition& scene : list_truths(study))
     if (const auto light = lights.find(scene.truth); light != lights.end())
-      plan.scenes.push_back(ScenePlanner(study, scene, light->second, settings).plan());
+      plan.scenes.push_back(ScenePlanner(stimuli[truth_of(scene)], scene, light->second, settings).plan());
   return plan;
 }
 

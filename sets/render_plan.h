@@ -46,9 +46,9 @@ struct RenderPlan {
   std::vector<ScenePlan> scenes = {};
 };
 
-/// What an estimator is asked for in one truth of a study. By all its stimuli, not by those left to render: a
-/// set that was interrupted has the same bytes.
-[[nodiscard]] EstimateOptions estimate_options(const StudyDefinition& study, const SceneDefinition& truth,
+/// What an estimator is asked for in one truth, by all its stimuli (`stimuli_of_truths`), not by those left
+/// to render: a set that was interrupted has the same bytes.
+[[nodiscard]] EstimateOptions estimate_options(const std::vector<Stimulus>& of_truth,
                                                const RenderSettings& settings, int threads);
 
 /// The plan for the truths of a study whose light is given, by name; others are left out. Depends on nothing

@@ -64,7 +64,7 @@ class SetRenderer {
     check_existing_set();
     work_ = find_work(study_, request_, hashes_, records_);
     summary_.already_finished = work_.already_finished;
-    if (request_.part == JobPart::truth) work_.pending.clear();
+    if (request_.part == JobPart::truth) work_.pending.clear(), work_.of_object.clear();
     if (request_.part == JobPart::join) require_nothing_pending();
     for (const SceneDefinition& truth : truths_) load_and_check(truth);
     for (const char* part : {"stimuli", "references", "records"})
@@ -143,7 +143,7 @@ class SetRenderer {
 
   [[nodiscard]] std::unique_ptr<SceneEstimator> estimator_of(const TruthScene& scene) const {
     return make_estimator(settings_.estimator, scene,
-                          estimate_options(study_, scene.definition, settings_, threads_));
+                          estimate_options(stimuli_.at(truth_of(scene.definition)), settings_, threads_));
   }
 
   /// Every wrong input is found before the first long computation.
@@ -214,12 +214,13 @@ class SetRenderer {
 
   void render_object(const TruthScene& scene, int object_index, SceneEstimator& estimator) {
     std::map<std::pair<std::string, DepthSettings>, std::vector<PendingStimulus>> by_mesh;
-    for (const PendingStimulus& work : work_.pending)
-      if (truth_of(work.stimulus) == scene.definition.truth && work.stimulus.object_index == object_index) {
-        const std::optional<SceneDefinition> captured = captured_scene(study_, work.stimulus);
-        by_mesh[{captured ? canonical_text(*captured) : std::string(), work.stimulus.depth}].push_back(work);
-      }
-    if (by_mesh.empty()) return;
+    const auto of_object = work_.of_object.find({scene.definition.truth, object_index});
+    if (of_object == work_.of_object.end()) return;
+    for (const std::size_t i : of_object->second) {
+      const PendingStimulus& work = work_.pending[i];
+      const std::optional<SceneDefinition> captured = captured_scene(study_, work.stimulus);
+      by_mesh[{captured ? canonical_text(*captured) : std::string(), work.stimulus.depth}].push_back(work);
+    }
     stereo_.forget();
     const std::string what = scene.definition.truth + " " +
                              scene.definition.objects[static_cast<std::size_t>(object_index - 1)].name;
@@ -251,7 +252,7 @@ class SetRenderer {
       needed = needed || recipe(work.stimulus.artifact, work.stimulus.isolation).answers.needs_depth();
     // By all artifacts of the scene, not by those left to render: a set that was interrupted has the same
     // bytes.
-    const Answers asked = asked_of_depth(study_, scene.definition);
+    const Answers asked = asked_of_depth(stimuli_.at(truth_of(scene.definition)));
     const std::optional<Geometry> captured =
         needed ? captured_geometry(works.front().stimulus) : std::nullopt;
     if (needed)
@@ -318,6 +319,7 @@ class SetRenderer {
   const StudyDefinition& shown_;
   const StudyDefinition& study_;
   const std::vector<SceneDefinition> truths_ = list_truths(study_);
+  const StimuliOfTruths stimuli_ = stimuli_of_truths(study_);
   const RenderRequest& request_;
   RenderSettings settings_;
   InputHashes hashes_;

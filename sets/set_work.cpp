@@ -9,8 +9,8 @@
 namespace seamline::renderer {
 
 bool SetWork::is_pending(const std::string& truth) const {
-  return std::any_of(pending.begin(), pending.end(),
-                     [&](const PendingStimulus& work) { return truth_of(work.stimulus) == truth; });
+  const auto first = of_object.lower_bound({truth, 0});
+  return first != of_object.end() && first->first.first == truth;
 }
 
 InputError no_such_stimulus(const StudyDefinition& study, const std::string& only) {
@@ -34,10 +34,12 @@ SetWork find_work(const StudyDefinition& study, const RenderRequest& request, co
     if (!is_asked) continue;
     const std::string inputs = hashes.of_stimulus(stimulus);
     if (records.finished(stimulus_id(stimulus), inputs) &&
-        !(request.layers && !has_layers(request.set_folder, stimulus, inputs)))
+        !(request.layers && !has_layers(request.set_folder, stimulus, inputs))) {
       ++work.already_finished;
-    else
+    } else {
+      work.of_object[{truth_of(stimulus), stimulus.object_index}].push_back(work.pending.size());
       work.pending.push_back({stimulus, inputs});
+    }
   }
   if (work.selected_truths.empty()) throw no_such_stimulus(study, request.only);
   return work;
@@ -58,10 +60,18 @@ WorkList list_work(const StudyDefinition& study, const std::string& only, const 
   return list;
 }
 
-Answers asked_of_depth(const StudyDefinition& study, const SceneDefinition& truth) {
+StimuliOfTruths stimuli_of_truths(const StudyDefinition& study) {
+  StimuliOfTruths stimuli;
+  for (Stimulus& stimulus : list_stimuli(study)) {
+    std::vector<Stimulus>& of_truth = stimuli[truth_of(stimulus)];
+    of_truth.push_back(std::move(stimulus));
+  }
+  return stimuli;
+}
+
+Answers asked_of_depth(const std::vector<Stimulus>& of_truth) {
   std::set<std::pair<Artifact, Isolation>> asking;
-  for (const Stimulus& stimulus : list_stimuli(study))
-    if (truth_of(stimulus) == truth_of(truth)) asking.insert({stimulus.artifact, stimulus.isolation});
+  for (const Stimulus& stimulus : of_truth) asking.insert({stimulus.artifact, stimulus.isolation});
   std::vector<Recipe> recipes;
   for (const auto& [artifact, isolation] : asking) recipes.push_back(recipe(artifact, isolation));
   return asked_by_any(recipes);

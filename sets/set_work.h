@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -19,6 +20,8 @@ struct PendingStimulus {
 /// What a render job has to do.
 struct SetWork {
   std::vector<PendingStimulus> pending;
+  /// Places in `pending`, by truth and object's number from 1.
+  std::map<std::pair<std::string, int>, std::vector<std::size_t>> of_object;
   std::set<std::string> selected_truths;  ///< that some stimulus asked for belongs to
   int already_finished = 0;
 
@@ -38,9 +41,14 @@ struct SetWork {
 [[nodiscard]] WorkList list_work(const StudyDefinition& study, const std::string& only,
                                  const InputHashes& hashes, const std::string& job);
 
-/// What any stimulus of a truth asks of the depth mesh, whichever are left to render: a set that was
-/// interrupted has the same bytes.
-[[nodiscard]] Answers asked_of_depth(const StudyDefinition& study, const SceneDefinition& truth);
+/// Stimuli by the name of their truth.
+using StimuliOfTruths = std::map<std::string, std::vector<Stimulus>>;
+/// All stimuli of a study. Listing them takes as long as there are scenes, so it is done once.
+[[nodiscard]] StimuliOfTruths stimuli_of_truths(const StudyDefinition& study);
+
+/// What any stimulus of a truth asks of the depth mesh. `of_truth` are all of the study's, not those left to
+/// render: a set that was interrupted has the same bytes.
+[[nodiscard]] Answers asked_of_depth(const std::vector<Stimulus>& of_truth);
 
 /// Weights of the progress bar, about seconds: the fast estimator does most of its work once a scene.
 struct WorkWeights {

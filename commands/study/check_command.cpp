@@ -38,12 +38,12 @@ struct CheckOptions {
 };
 
 /// What the study's sensors see of a scene without its first object, at every level and condition.
-void add_holes_of_scene(const StudyDefinition& study, const SceneDefinition& scene, const TruthScene& truth,
-                        std::vector<LevelHoles>& holes) {
+void add_holes_of_scene(const std::vector<Stimulus>& stimuli, const SceneDefinition& scene,
+                        const TruthScene& truth, std::vector<LevelHoles>& holes) {
   std::map<std::string, std::optional<SensorCounts>> counted;  // by what is captured
   std::set<std::pair<std::string, double>> seen;               // condition and level
   std::optional<Geometry> geometry;
-  for (const Stimulus& stimulus : list_stimuli(study)) {
+  for (const Stimulus& stimulus : stimuli) {
     if (stimulus.scene != scene.name || stimulus.object_index != 1 || !stimulus.depth.chain ||
         !seen.insert({stimulus.condition, stimulus.level}).second)
       continue;
@@ -61,6 +61,7 @@ void add_holes_of_scene(const StudyDefinition& study, const SceneDefinition& sce
 
 void check_study(const std::string& path, const std::string& asset_root) {
   const StudyDefinition study = read_study(path, AssetCheck::must_exist, asset_root);
+  const std::vector<Stimulus> stimuli = list_stimuli(study);
   int broken = 0;
   std::vector<LevelHoles> holes;
   for (const SceneDefinition& scene : study.scenes) {
@@ -75,7 +76,7 @@ void check_study(const std::string& path, const std::string& asset_root) {
                  result.found);
       broken += result.met ? 0 : 1;
     }
-    add_holes_of_scene(study, scene, truth, holes);
+    add_holes_of_scene(stimuli, scene, truth, holes);
   }
   for (const std::string& said : notes_on_levels(study)) fmt::print("note    {}\n", said);
   for (const std::string& said : sentences(holes)) fmt::print("note    {}\n", said);

@@ -110,9 +110,10 @@ std::string condition_in_name(const std::string& condition) {
 /// The truths of one scene of a study: what each condition and level is compared with, each once.
 class TruthsOfScene {
  public:
-  TruthsOfScene(const StudyDefinition& study, std::size_t scene)
+  /// `conditions` are all of the study's, listed once, because each holds every scene.
+  TruthsOfScene(const StudyDefinition& study, const std::vector<ConditionDefinition>& conditions,
+                std::size_t scene)
       : quantity_(study.level.quantity), levels_(study.level.values) {
-    const std::vector<ConditionDefinition> conditions = list_conditions(study);
     const std::size_t levels = facts(quantity_).changes_truth ? levels_.size() : 1;
     for (const ConditionDefinition& condition : conditions)
       for (std::size_t level = 0; level < levels; ++level) {
@@ -172,7 +173,7 @@ std::vector<Stimulus> list_every_stimulus(const StudyDefinition& study) {
   std::vector<Stimulus> stimuli;
   for (std::size_t s = 0; s < study.scenes.size(); ++s) {
     const SceneDefinition& scene = study.scenes[s];
-    const TruthsOfScene truths(study, s);
+    const TruthsOfScene truths(study, conditions, s);
     for (const Artifact artifact : scene.artifacts)
       for (std::size_t object = 0; object < scene.objects.size(); ++object)
         for (const ConditionDefinition& condition : conditions)
@@ -199,9 +200,10 @@ std::vector<Stimulus> list_stimuli(const StudyDefinition& study) {
 }
 
 std::vector<SceneDefinition> list_truths(const StudyDefinition& study) {
+  const std::vector<ConditionDefinition> conditions = list_conditions(study);
   std::vector<SceneDefinition> truths;
   for (std::size_t s = 0; s < study.scenes.size(); ++s) {
-    const TruthsOfScene of_scene(study, s);
+    const TruthsOfScene of_scene(study, conditions, s);
     truths.insert(truths.end(), of_scene.scenes().begin(), of_scene.scenes().end());
   }
   return truths;

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "support/files/unpublished_file.h"
 #include "support/text/error.h"
 
 namespace seamline {
@@ -31,6 +32,16 @@ void sync_folder(const fs::path& folder, const fs::path& shown) {
   const int error_number = errno;
   ::close(descriptor);
   if (failed != 0 && error_number != EINVAL && error_number != ENOTSUP) throw unwritable(shown, error_number);
+}
+
+/// Everything on the file system of a folder, by one flush.
+void sync_everything_beside(const fs::path& folder, const fs::path& shown) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) throw unwritable(shown, errno);
+  const int failed = ::syncfs(descriptor);
+  const int error_number = errno;
+  ::close(descriptor);
+  if (failed != 0) throw unwritable(shown, error_number);
 }
 
 /// An open file with a name that no other program can have: process ids are not enough, every container has
@@ -63,8 +74,10 @@ TemporaryFile begin_temporary(const fs::path& target, const fs::path& shown, Rea
   }
 }
 
+enum class Flush { now, with_folder };
+
 /// Writes, flushes and closes.
-void write_all(const TemporaryFile& file, const fs::path& shown, std::string_view bytes) {
+void write_all(const TemporaryFile& file, const fs::path& shown, std::string_view bytes, Flush flush) {
   int error_number = 0;
   while (!bytes.empty() && error_number == 0) {
     const ssize_t written = ::write(file.descriptor, bytes.data(), bytes.size());
@@ -73,7 +86,7 @@ void write_all(const TemporaryFile& file, const fs::path& shown, std::string_vie
     else if (errno != EINTR)
       error_number = errno;
   }
-  if (error_number == 0 && ::fsync(file.descriptor) != 0) error_number = errno;
+  if (error_number == 0 && flush == Flush::now && ::fsync(file.descriptor) != 0) error_number = errno;
   if (::close(file.descriptor) != 0 && error_number == 0) error_number = errno;
   if (error_number != 0) throw unwritable(shown, error_number);
 }
@@ -83,7 +96,7 @@ void write_all(const TemporaryFile& file, const fs::path& shown, std::string_vie
 void write_file_atomically(const fs::path& path, std::string_view bytes, Readers readers) {
   const TemporaryFile temporary = begin_temporary(path, path, readers);
   try {
-    write_all(temporary, path, bytes);
+    write_all(temporary, path, bytes, Flush::now);
     if (::rename(temporary.path.c_str(), path.c_str()) != 0) throw unwritable(path, errno);
   } catch (...) {
     ::unlink(temporary.path.c_str());
@@ -92,7 +105,15 @@ void write_file_atomically(const fs::path& path, std::string_view bytes, Readers
   sync_folder(path.parent_path(), path);
 }
 
+void write_unpublished_file(const fs::path& path, std::string_view bytes) {
+  const int descriptor =
+      ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, mode_t{0666});
+  if (descriptor < 0) throw unwritable(path, errno);
+  write_all({.path = path, .descriptor = descriptor}, path, bytes, Flush::with_folder);
+}
+
 void publish_folder(const fs::path& folder, const fs::path& name) {
+  sync_everything_beside(folder, name);
   sync_folder(folder, name);
   if (::rename(folder.c_str(), name.c_str()) != 0) {
     if (errno != ENOTEMPTY && errno != EEXIST && errno != ENOTDIR) throw unwritable(name, errno);

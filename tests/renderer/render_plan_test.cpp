@@ -1,6 +1,7 @@
 // Every omission of the plan: the picture with it and without it differ by no more than the plan says.
 #include "sets/render_plan.h"
 #include "renderer/depth/depth_mesh.h"
+#include "sets/set_work.h"
 
 #include <gtest/gtest.h>
 
@@ -190,6 +191,7 @@ TEST(RenderPlan, TheEstimatorHoldsToWhatThePlanSays) {
   study.width_px = small_width_px;
   study.height_px = small_height_px;
   const std::map<std::string, LightFacts> lights = lights_of(study);
+  const StimuliOfTruths stimuli = stimuli_of_truths(study);
   std::vector<TruthScene> scenes;
   for (const SceneDefinition& scene : study.scenes)
     scenes.push_back(load_truth_scene(scene, study.width_px, study.height_px));
@@ -198,11 +200,21 @@ TEST(RenderPlan, TheEstimatorHoldsToWhatThePlanSays) {
       const RenderSettings settings{.spp = 5, .estimator = estimator, .error = error};
       const RenderPlan plan = render_plan(study, lights, settings);
       for (std::size_t i = 0; i < study.scenes.size(); ++i) {
-        const auto made =
-            make_estimator(estimator, scenes[i], estimate_options(study, study.scenes[i], settings, threads));
+        const auto made = make_estimator(
+            estimator, scenes[i], estimate_options(stimuli.at(study.scenes[i].name), settings, threads));
         EXPECT_TRUE(made->choices() == plan.scenes[i].choices) << plan.scenes[i].scene;
       }
     }
+}
+
+TEST(RenderPlan, EveryStimulusBelongsToOneTruth) {
+  const StudyDefinition study = isolated_study();
+  std::size_t stimuli = 0;
+  for (const auto& [truth, of_truth] : stimuli_of_truths(study)) {
+    stimuli += of_truth.size();
+    for (const Stimulus& stimulus : of_truth) EXPECT_EQ(truth_of(stimulus), truth);
+  }
+  EXPECT_EQ(stimuli, list_stimuli(study).size());
 }
 
 TEST(RenderPlan, SaysTheSameForTheSameInput) {

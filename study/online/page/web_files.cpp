@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "study/online/page/web_format.h"
-#include "support/files/atomic_file.h"
 #include "support/files/hash.h"
+#include "support/files/unpublished_file.h"
 
 namespace seamline::study::online {
 namespace fs = std::filesystem;
@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 void WebFiles::add(const std::string& name, std::string_view bytes) {
   const fs::path path = folder_ / name;
   fs::create_directories(path.parent_path());
-  write_file_atomically(path, bytes);
+  write_unpublished_file(path, bytes);
   files_[name] = {.bytes = static_cast<std::int64_t>(bytes.size()), .sha256 = sha256(bytes)};
 }
 
