@@ -11,7 +11,6 @@
 #include <cstring>
 #include <fstream>
 
-#include "support/files/unpublished_file.h"
 #include "support/text/error.h"
 
 namespace seamline {

@@ -20,8 +20,13 @@ enum class Readers { everybody, owner };
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes,
                            Readers readers = Readers::everybody);
 
-/// Gives a folder that is whole, with everything in it on the disk, its name. `folder` and `name` lie on one
-/// file system; an empty folder of that name is replaced. Throws InputError naming `name` where there is
+/// Writes a file of a folder that nobody sees before `publish_folder`: under its own name and without a
+/// flush, since thousands of flushes take minutes. Throws InputError naming the path when it cannot be
+/// written.
+void write_unpublished_file(const std::filesystem::path& path, std::string_view bytes);
+
+/// Brings everything of a folder that is whole to the disk, and gives it its name. `folder` and `name` lie on
+/// one file system; an empty folder of that name is replaced. Throws InputError naming `name` where there is
 /// anything else.
 void publish_folder(const std::filesystem::path& folder, const std::filesystem::path& name);
 

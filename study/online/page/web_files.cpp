@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "study/online/page/web_format.h"
+#include "support/files/atomic_file.h"
 #include "support/files/hash.h"
-#include "support/files/unpublished_file.h"
 
 namespace seamline::study::online {
 namespace fs = std::filesystem;
