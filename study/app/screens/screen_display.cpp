@@ -57,7 +57,8 @@ void draw_card_step(Stage& stage) {
   ui.slider("card", drafts.card_width_px, least_card_px, most_px, 1);
   drafts.card_width_px = std::round(drafts.card_width_px);
   ui.gap(0.5);
-  ui.note(fmt::format("{:.0f} px = 85.60 mm", drafts.card_width_px));
+  // Read from left to right in every language: between the marks of an isolate.
+  ui.note(fmt::format("\u2066{:.0f} px = 85.60 mm\u2069", drafts.card_width_px));
   if (continue_button(stage)) drafts.display_step = DisplayStep::distance;
 }
 
