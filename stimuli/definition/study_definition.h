@@ -126,8 +126,8 @@ struct ObserverDefinition {
   double people_sd_linear = 1;     ///< the same on linear axes, in the level's unit
   /// `image` sees with P = 1 / (1 + exp(-(log2(gain F) + shift) / scale)), F the visible difference of
   /// stimulus and reference (stimuli/pictures/visible_difference.h); 1 / gain is what is seen half of the
-  /// time. None: `seamline predict` fixes it on the receiver artifact
-  /// (documentation/how-to/predict_and_plan.md).
+  /// time. None: `seamline predict` takes that of published
+  /// detection thresholds (documentation/how-to/predict_and_plan.md).
   std::optional<double> image_gain = {};
   double pixels_per_degree = default_pixels_per_degree;  ///< at which people see the pictures
 };

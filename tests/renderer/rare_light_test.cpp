@@ -8,14 +8,14 @@
 namespace seamline::renderer {
 namespace {
 
-constexpr int width_px = 100, height_px = 50;
+constexpr int sums_width_px = 100, sums_height_px = 50;
 
 /// A picture whose halves differ by `everywhere` in all pixels and by `speck` in the first.
 double share_of(float everywhere, float speck) {
-  StimulusSums sums{.width_px = width_px, .height_px = height_px, .spp = 2};
-  sums.guides.resize(width_px * height_px);
+  StimulusSums sums{.width_px = sums_width_px, .height_px = sums_height_px, .spp = 2};
+  sums.guides.resize(sums_width_px * sums_height_px);
   for (std::size_t half = 0; half < 2; ++half) {
-    sums.halves[half].resize(width_px * height_px);
+    sums.halves[half].resize(sums_width_px * sums_height_px);
     for (StimulusPixel& pixel : sums.halves[half])
       pixel.object = Rgb::Constant(0.2F + (half == 0 ? everywhere : 0.0F));
   }
@@ -24,7 +24,7 @@ double share_of(float everywhere, float speck) {
 }
 
 TEST(RareLight, IsTheShareOfTheNoisiestPixels) {
-  EXPECT_NEAR(share_of(0.02F, 0), 10.0 / (width_px * height_px), 1e-6);
+  EXPECT_NEAR(share_of(0.02F, 0), 10.0 / (sums_width_px * sums_height_px), 1e-6);
   EXPECT_GT(share_of(0.001F, 0.5F), 0.9);
   EXPECT_EQ(share_of(0, 0), 0);
 }
