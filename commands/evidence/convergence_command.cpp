@@ -65,9 +65,10 @@ void add_convergence_command(CLI::App& app) {
   command->add_option("--out", options->out, "folder of the figures and tables; made when missing")
       ->required();
   command
-      ->add_option("--parts", options->parts, "only these parts (default: all but links, realtime and light)")
+      ->add_option("--parts", options->parts, "only these parts (default: samples, mesh, width, compositing)")
       ->delimiter(',')
-      ->check(CLI::IsMember({"samples", "mesh", "width", "compositing", "links", "realtime", "light"}));
+      ->check(CLI::IsMember({"samples", "mesh", "width", "compositing", "links", "realtime", "light",
+                             "sensor", "repair", "fit", "interval"}));
   add_number(*command, "--tolerances", options->tolerances, {1e-9, 0.5},
              "of the depth mesh in `mesh`, besides the study's (default: 1e-2 to 1e-6)")
       ->delimiter(',');

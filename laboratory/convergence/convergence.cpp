@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "laboratory/convergence/convergence_estimate_tables.h"
 #include "laboratory/convergence/convergence_figure.h"
 #include "support/files/atomic_file.h"
 #include "support/files/gnuplot.h"
@@ -86,6 +87,11 @@ std::string run_convergence(const StudyDefinition& study, const ConvergenceReque
   if (wanted(ConvergencePart::compositing))
     writer.add(ConvergencePart::compositing,
                measure_compositing(subject, compositing_share * request.seconds));
+  const std::uint64_t seed = subject.study.seed;
+  if (wanted(ConvergencePart::sensor)) writer.add(ConvergencePart::sensor, measure_sensor(seed));
+  if (wanted(ConvergencePart::repair)) writer.add(ConvergencePart::repair, measure_repair(seed));
+  if (wanted(ConvergencePart::fit)) writer.add(ConvergencePart::fit, measure_fit(seed));
+  if (wanted(ConvergencePart::interval)) writer.add(ConvergencePart::interval, measure_interval(seed));
   return writer.finish();
 }
 

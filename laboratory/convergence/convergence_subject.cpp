@@ -44,6 +44,14 @@ std::string_view word(ConvergencePart part) {
       return "realtime";
     case ConvergencePart::light:
       return "light";
+    case ConvergencePart::sensor:
+      return "sensor";
+    case ConvergencePart::repair:
+      return "repair";
+    case ConvergencePart::fit:
+      return "fit";
+    case ConvergencePart::interval:
+      return "interval";
   }
   throw std::logic_error("a part that is none of these");
 }

@@ -13,11 +13,26 @@
 namespace seamline::renderer {
 
 /// The parts of `seamline lab convergence`, each with its own figure and table; `links` (captured depth),
-/// `realtime` (methods of real time) and `light` (how light is sampled) are made where they are asked for.
-enum class ConvergencePart { samples, mesh, width, compositing, links, realtime, light };
-inline constexpr std::array<ConvergencePart, 7> every_convergence_part = {
-    ConvergencePart::samples, ConvergencePart::mesh,     ConvergencePart::width, ConvergencePart::compositing,
-    ConvergencePart::links,   ConvergencePart::realtime, ConvergencePart::light};
+/// `realtime` (methods of real time) and `light` (how light is sampled) are made where they are asked for, as
+/// are those that make no picture: depth cameras, repair, psychometric fits and their intervals.
+enum class ConvergencePart {
+  samples,
+  mesh,
+  width,
+  compositing,
+  links,
+  realtime,
+  light,
+  sensor,
+  repair,
+  fit,
+  interval
+};
+inline constexpr std::array<ConvergencePart, 11> every_convergence_part = {
+    ConvergencePart::samples,     ConvergencePart::mesh,    ConvergencePart::width,
+    ConvergencePart::compositing, ConvergencePart::links,   ConvergencePart::realtime,
+    ConvergencePart::light,       ConvergencePart::sensor,  ConvergencePart::repair,
+    ConvergencePart::fit,         ConvergencePart::interval};
 [[nodiscard]] std::string_view word(ConvergencePart part);
 
 /// What `seamline lab convergence` was asked for.

@@ -48,6 +48,22 @@ TEST(Convergence, WritesEveryPart) {
   EXPECT_THAT(csv("data_dictionary.csv"), HasSubstr("mesh.csv,depth_error"));
 }
 
+TEST(Convergence, MeansOfFramesComeNearerToTheTruth) {
+  const fs::path folder = test::fresh_folder("convergence-frames");
+  ASSERT_EQ(run_seamline(convergence(test::studies() / "quick.toml", folder,
+                                     "--parts sensor,repair --only bedroom-receiver-statue-0064"))
+                .status,
+            0);
+  EXPECT_THAT(read_text(folder / "sensor.csv"), StartsWith("series,frames,seconds,error\n"));
+  EXPECT_THAT(read_text(folder / "repair.csv"), StartsWith("series,radius_or_draws,seconds,error\n"));
+  std::istringstream slopes(read_text(folder / "slopes.csv"));
+  double found = 0;
+  for (std::string line; std::getline(slopes, line);)
+    if (const std::string start = "sensor,time of flight,error in frames,"; line.starts_with(start))
+      found = std::stod(line.substr(start.size()));
+  EXPECT_NEAR(found, -0.5, 0.05);
+}
+
 TEST(Convergence, SlopesOfSamplesAreNumbers) {
   const fs::path folder = test::fresh_folder("convergence-slopes");
   ASSERT_EQ(run_seamline(convergence(test::studies() / "quick.toml", folder,

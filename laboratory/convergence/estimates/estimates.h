@@ -1,0 +1,42 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace seamline::renderer {
+
+/// One estimate that got so much to work with: frames, answers, replicates, a radius.
+struct EstimateRow {
+  std::string series;
+  double amount = 0;
+  double seconds = 0;  ///< processor time of one estimate
+  double error = 0;    ///< root mean square against the truth
+};
+
+/// What the machine cannot do faster: the same data, touched once.
+struct EstimateLimit {
+  std::string what;
+  double seconds_each = 0;  ///< for one of `amount`
+};
+
+/// Error of an estimator that makes no picture, against its processor time.
+struct EstimateResult {
+  std::string part;          ///< sensor, repair, fit or interval
+  std::string amount, unit;  ///< what grows, and the unit of the error
+  std::string truth;         ///< what the error is against: a sentence
+  std::vector<EstimateRow> rows;
+  EstimateLimit limit;
+  double expected = -0.5;  ///< slope of the error in the amount
+  std::string why;
+};
+
+/// Frames of three kinds of depth camera before a wall, averaged (`mean_of_frames`): error of the depth.
+[[nodiscard]] EstimateResult measure_sensor(std::uint64_t seed);
+/// One noisy frame of two slanted walls with holes, repaired: error of the depth where it has one.
+[[nodiscard]] EstimateResult measure_repair(std::uint64_t seed);
+/// Psychometric functions fitted to simulated answers: error of the threshold.
+[[nodiscard]] EstimateResult measure_fit(std::uint64_t seed);
+/// Bootstrap intervals of one threshold: error of their ends against the same with many more replicates.
+[[nodiscard]] EstimateResult measure_interval(std::uint64_t seed);
+
+}  // namespace seamline::renderer
