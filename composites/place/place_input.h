@@ -1,8 +1,8 @@
 #pragma once
 #include <optional>
 
-#include "composites/place_preview.h"
 #include "composites/objects/placing.h"
+#include "composites/place_preview.h"
 #include "window/input.h"
 
 namespace seamline::place {

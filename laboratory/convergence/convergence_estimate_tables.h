@@ -1,6 +1,6 @@
 #pragma once
-#include "laboratory/convergence/estimates/estimates.h"
 #include "laboratory/convergence/convergence_figure.h"
+#include "laboratory/convergence/estimates/estimates.h"
 
 namespace seamline::renderer {
 

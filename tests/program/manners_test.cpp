@@ -91,10 +91,11 @@ TEST(Manners, OnePlaceMakesTemporaryFoldersAndNoNameIsForeseen) {
 
 TEST(Manners, PicturesOfASetAreOpenedWhereTheSetIs) {
   // A set may have come from somebody else, with links out of its folder: whoever opens what a manifest names
-  // asks path_in_set. Its own two files know better, and so does what writes a set; `flip` opens what its
-  // user names.
+  // asks path_in_set. Its own two files know better, and so does what writes a set; `flip` and
+  // `observe` open what their user names.
   const std::set<std::string> known = {"sets/set_pictures.cpp", "stimuli/set/manifest_pictures.cpp",
-                                       "commands/photographs/flip_command.cpp"};
+                                       "commands/photographs/flip_command.cpp",
+                                       "analysis/detection/seen_pairs.cpp"};
   EXPECT_EQ(files_with(R"((folder|set)[a-z_]*(\(\))? / [a-z_.>()-]+(\.|->)(image|reference|object_ids)\b)"),
             std::set<std::string>{"sets/set_pictures.cpp"});
   for (const std::string& file : files_with(R"(\bread_bytes_image\()")) {
