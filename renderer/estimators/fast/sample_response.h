@@ -5,9 +5,7 @@
 namespace seamline::renderer {
 
 /// What more samples did to the noise of a picture's blocks, from round to round. Noise that is not of these
-/// samples does not fall with them, and asking for more of it is endless: two scenes that differ by two
-/// centimetres took five million rays and a hundred and seventy for the same wish, because one of them ended
-/// just below it and the other just above.
+/// samples does not fall with them, and asking for more of it is endless.
 class SampleResponse {
  public:
   /// Of a round: samples that each block has, and squared noise beyond what is known not to be theirs. From
