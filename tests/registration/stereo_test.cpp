@@ -80,7 +80,7 @@ Found find(const PaintedPlane& plane) {
 
 TEST(Stereo, FindsThePlaneThatGeometrySays) {
   if (!has_opencv()) {
-    EXPECT_NE(test::complaint_of([] { (void)find({}); }).find("OpenCV"), std::string::npos);
+    EXPECT_NE(::seamline::test::complaint_of([] { (void)find({}); }).find("OpenCV"), std::string::npos);
     return;
   }
   for (const PaintedPlane& plane :
