@@ -6,7 +6,7 @@
 #include <string>
 
 #include "analysis/foresight/predict.h"
-#include "commands/planning/predict_text.h"
+#include "analysis/foresight/predict_text.h"
 #include "support/text/number_option.h"
 
 namespace seamline::analysis {

@@ -19,7 +19,7 @@
 #include "analysis/report/text/checks_text.h"
 #include "analysis/report/text/numbers_text.h"
 #include "analysis/report/text/threshold_text.h"
-#include "commands/planning/predict_text.h"
+#include "analysis/foresight/predict_text.h"
 #include "study/log/log_admin.h"
 #include "support/files/atomic_file.h"
 #include "support/files/temporary_folder.h"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "commands/planning/predict_text.h"
+#include "analysis/foresight/predict_text.h"
 #include "study/observers/observer.h"
 #include "support/text/error.h"
 #include "tests/stimuli/manifest_records.h"

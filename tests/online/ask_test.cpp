@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "commands/study/ask_command.h"
+#include "study/online/asking/ask.h"
 #include "study/log/log.h"
 #include "study/running/quest_plus_results.h"
 #include "tests/complaint.h"

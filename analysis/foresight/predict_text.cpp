@@ -1,4 +1,4 @@
-#include "commands/planning/predict_text.h"
+#include "analysis/foresight/predict_text.h"
 
 #include <fmt/format.h>
 
