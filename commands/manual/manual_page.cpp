@@ -44,7 +44,7 @@ std::string joined(const std::vector<Item>& items, const char* between, Write wr
 std::string value_text(const Argument& argument) {
   if (argument.value.empty()) return {};
   const std::string value =
-      argument.choices.empty() ? slanted(argument.value) : joined(argument.choices, "|", bold);
+      argument.choices.empty() ? slanted(argument.value) : joined(argument.choices, "|\\:", bold);
   return value + (argument.repeats ? " ..." : "");
 }
 

@@ -72,8 +72,8 @@ void observe(const ObserveOptions& options) {
 }  // namespace
 
 void add_observe_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand(
-      "observe", "the predicting observer beside people: published detection thresholds, or your pairs");
+  CLI::App* command =
+      app.add_subcommand("observe", "the predicting observer beside published thresholds, or your pairs");
   const auto options = std::make_shared<ObserveOptions>();
   command->add_option("pairs", options->pairs,
                       "CSV with the columns reference, picture, seen, n, pixels_per_degree (none: published "

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "analysis/foresight/predict.h"
-#include "analysis/foresight/predict_text.h"
+#include "analysis/report/text/predict_text.h"
 #include "support/text/number_option.h"
 
 namespace seamline::analysis {

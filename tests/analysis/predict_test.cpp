@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "analysis/foresight/predict_text.h"
+#include "analysis/report/text/predict_text.h"
 #include "study/observers/observer.h"
 #include "support/text/error.h"
 #include "tests/stimuli/manifest_records.h"

@@ -378,7 +378,7 @@ TEST_F(IntakeTest, ADamagedLogOfBrowsersIsSavedWithWhatTheySaid) {
     take_all(intake, page.the_rest());
   }
   SQLite::Database(path.string(), SQLite::OPEN_READWRITE).exec("CREATE VIEW v AS SELECT 1");
-  EXPECT_THAT(complaint_of([&] { (void)read_log(path); }), HasSubstr("--recover"));
+  EXPECT_THAT(complaint_of([&] { (void)read_log(path); }), HasSubstr("log recover"));
   const fs::path saved = folder / "saved.sqlite";
   const LogRecovery recovery = recover_log(path, saved, {});
   EXPECT_TRUE(recovery.refused.empty());

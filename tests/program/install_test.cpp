@@ -198,5 +198,13 @@ TEST(Completion, ProposesWordsWherePathsMakeNoSense) {
   EXPECT_THAT(completed("seamline render ''"), ElementsAre());
 }
 
+TEST(Install, TheProgramsOwnReaderOfGltfIsTheFirstThatIsLoaded) {
+  // Debian's libdraco exports a tinygltf of another shape: loaded first, it would answer for ours.
+  const std::string libraries = run_program("readelf", std::string("-d ") + SEAMLINE_PROGRAM).output;
+  const std::size_t ours = libraries.find("libtinygltf"), other = libraries.find("libdraco");
+  ASSERT_NE(ours, std::string::npos) << libraries;
+  EXPECT_TRUE(other == std::string::npos || ours < other);
+}
+
 }  // namespace
 }  // namespace seamline

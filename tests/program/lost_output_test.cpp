@@ -141,6 +141,8 @@ const std::map<std::string, std::string> short_ways = {
      "builtin:bedroom --sensor tof_160x120 --ball 0.1 --position 0 1 0 --frames 2 --frames-to-rest 0 --out {out}"},
     {"lab marker", "--spp 1 --frames 1 --noise 0 --out {out}"},
     {"lab person", "--sensor tof_160x120 --out {out}"},
+    {"lab scenes", "arcades --count 1 --out {out}"},
+    {"observe", "--help"},
     {"lab field", "{in}/cube.gltf --out {out}.png"},
     {"lab bench", "--quick --only capture --threads 1"},
     {"ask", "{study} --log {out}.sqlite --participant p01"},

@@ -239,7 +239,7 @@ std::vector<std::string> arguments_of(const std::string& command, const std::str
 /// The signal comes when the command asks for the n-th time whether to stop: in the middle of its work, which
 /// asks oftener (`flip` some dozen times, the others hundreds of times).
 int asks_before_the_signal(const std::string& command) {
-  return command == "flip" ? 10 : 100;
+  return command == "flip" || command == "observe" ? 10 : 100;
 }
 
 TEST(Signals, TheFirstEndsEveryCommand) {

@@ -159,7 +159,7 @@ TEST(StudyFileDepth, SeveralSourcesAreAListOfTables) {
                 (void)study_of_depth("[[depth.source]]\nkind = \"panorama\"\n",
                                      "[level]\nquantity = \"mesh_tolerance\"\nvalues = [0.1]");
               }),
-              HasSubstr("depth.source[0].kind: wanted \"pinhole\" or \"file\""));
+              HasSubstr("depth.source[0].kind: wanted \"pinhole\", \"file\" or \"stereo\""));
   EXPECT_THAT(test::complaint_of([] {
                 (void)study_of_depth(
                     "[depth]\nfx = 3\n[[depth.source]]\nkind = \"pinhole\"\nsize_px = [64, 48]\nfx = 50\n",

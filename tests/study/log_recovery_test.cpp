@@ -80,7 +80,7 @@ TEST_F(LogRecoveryTest, EveryLostPageIsNoticedAndEachLostAnswerIsNamed) {
   for (std::size_t page = 0; page < pages; ++page) {
     write_file_atomically(log, whole);
     lose_page(page);
-    EXPECT_THAT(complaint_of_reading(), HasSubstr("--recover")) << "page " << page;
+    EXPECT_THAT(complaint_of_reading(), HasSubstr("log recover")) << "page " << page;
     fs::remove(saved);
     const LogRecovery recovery = recover_log(log, saved, folder / "set");
     const LogContents after = read_log(saved);
@@ -99,7 +99,7 @@ TEST_F(LogRecoveryTest, EveryLostPageIsNoticedAndEachLostAnswerIsNamed) {
 TEST_F(LogRecoveryTest, ALogThatWasCutShortGivesBackItsBeginning) {
   answer(26);  // so long that the study is in what is left
   fs::resize_file(log, fs::file_size(log) * 2 / 3);
-  EXPECT_THAT(complaint_of_reading(), HasSubstr("--recover"));
+  EXPECT_THAT(complaint_of_reading(), HasSubstr("log recover"));
   const LogRecovery recovery = recover_log(log, saved, {});
   EXPECT_FALSE(read_log(saved).participants.empty());
   EXPECT_THAT(recovery_text(recovery, log, saved), HasSubstr("lost"));

@@ -31,7 +31,7 @@ class LogSchema : public LogTest {
           complaint_of([&] { forget_participant(path, "p1"); }),
           complaint_of([&] { LogWriter log(path, set); })}) {
       EXPECT_THAT(said, HasSubstr("and nothing else")) << what;
-      EXPECT_THAT(said, HasSubstr("--recover")) << what;
+      EXPECT_THAT(said, HasSubstr("log recover")) << what;
     }
     const fs::path saved = folder / "saved.sqlite";
     const LogRecovery recovery = recover_log(path, saved, {});

@@ -143,7 +143,7 @@ TEST_F(LogUpgradeTest, NothingIsOverwrittenAndNothingHalfIsLeft) {
     SQLite::Database database(old.string(), SQLite::OPEN_READWRITE);
     database.exec("PRAGMA ignore_check_constraints = ON; UPDATE answers SET rating = 9");
   }
-  EXPECT_THAT(complaint_of([&] { (void)upgrade_log(old, upgraded); }), HasSubstr("--recover"));
+  EXPECT_THAT(complaint_of([&] { (void)upgrade_log(old, upgraded); }), HasSubstr("log recover"));
   EXPECT_THAT(complaint_of([&] { (void)upgrade_log(folder / "none", upgraded); }), HasSubstr("no such file"));
   EXPECT_FALSE(fs::exists(upgraded));
   EXPECT_EQ(left(), files);

@@ -37,7 +37,7 @@ TEST(TaskQuestPlus, FindsWhatWasPlantedWhateverTheTask) {
     run_simulated_study({.set_folder = folder / "set",
                          .log = folder / "log",
                          .observer = ObserverKind::threshold,
-                         .count = 6,
+                         .count = 12,
                          .seed = 3});
     std::map<Artifact, double> sum;
     std::map<Artifact, int> tracks;

@@ -1,4 +1,4 @@
-#include "analysis/foresight/predict_text.h"
+#include "analysis/report/text/predict_text.h"
 
 #include <fmt/format.h>
 
