@@ -13,7 +13,7 @@ export function openBrowser(folder, { ratio = 1, width = 1280, height = 900, arg
     headless: true,
     viewport: null,
     acceptDownloads: true,
-    args: ["--force-device-scale-factor=" + ratio, "--window-size=" + width + "," + height, "--force-color-profile=srgb", ...args],
+    args: ["--force-device-scale-factor=" + ratio, "--window-size=" + width + "," + height, "--screen-info={" + width + "x" + height + "}", "--force-color-profile=srgb", ...args],
   });
 }
 
