@@ -35,7 +35,7 @@ void make_scenes(const ScenesOptions& options) {
     const KeptScene kept = scene_that_keeps_rules(*family, options.seed, number);
     const std::filesystem::path file = folder / (scene_name(*family, number) + ".glb");
     write_glb(file, kept.scene.background);
-    fmt::print("{}: keeps the rules; scene {} of its numbers, {} placements\n", file.string(),
+    fmt::print("{}: keeps the rules ({} drawn until one did, objects moved {} times)\n", file.string(),
                kept.scenes_drawn, kept.placements_drawn);
     made.push_back(kept.scene);
   }
