@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "study/online/asking/ask.h"
 #include "study/log/log.h"
+#include "study/online/asking/ask.h"
 #include "study/running/quest_plus_results.h"
 #include "tests/complaint.h"
 #include "tests/online/online_people.h"

@@ -42,6 +42,10 @@ void install_into(const fs::path& prefix) {
 TEST(Install, EveryPartIsWhereOtherSoftwareHasIt) {
   const fs::path prefix = fresh_folder("install-parts");
   install_into(prefix);
+  for (const auto& entry : fs::recursive_directory_iterator(prefix)) {
+    const std::string name = entry.path().filename().string();
+    EXPECT_FALSE(name == "CMakeFiles" || name.ends_with(".a") || name.ends_with(".o")) << entry.path();
+  }
   for (const char* part :
        {"bin/seamline", "lib/seamline/seamline_pictures.so", "share/seamline/scenes/builtin/bedroom.glb",
         "share/seamline/stimuli/quick.toml", "share/seamline/stimuli/depth_resolution.toml",
