@@ -30,11 +30,13 @@ double processor_seconds_of_answers() {
 /// Answers at the paper's seven widths.
 std::vector<LevelCounts> simulated_answers(std::int64_t trials_a_level, Random& random) {
   std::vector<LevelCounts> counts;
-  for (double level = 64; level <= 4096; level *= 2)
+  for (int width_px = 64; width_px <= 4096; width_px *= 2) {
+    const double level = width_px;
     counts.push_back({.level = level,
                       .correct = random.binomial(static_cast<int>(trials_a_level),
                                                  study::response_probability(true_function, level)),
                       .trials = trials_a_level});
+  }
   return counts;
 }
 
