@@ -1,11 +1,12 @@
 // Looking round in a browser: the codes of twenty poses of every view beside an independent resampling (panorama_view.py), and
-// a whole visit by mouse, in which the object behind the start is found. Pictures to look at: WORK/shots/look-*.png.
+// a whole visit by mouse, in which the object behind the start is found, through reloads and a killed browser (Chromium; Firefox
+// is only loaded anew). Pictures to look at: WORK/shots/look-*.png.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdirSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { mkdirSync, mkdtempSync, readlinkSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { staticHost } from "./hosts.mjs";
-import { act, actUntil, look, openBrowser } from "./person.mjs";
+import { act, actUntil, inFirefox, look, openBrowser } from "./person.mjs";
 
 const work = process.env.SEAMLINE_ONLINE_WORK;
 const shots = join(work, "shots");
@@ -14,12 +15,31 @@ for (const folder of [shots, codes]) mkdirSync(folder, { recursive: true });
 const folder = join(work, "look-static");
 
 const host = await staticHost(join(work, "look"));
-const browser = await openBrowser(mkdtempSync(join(work, "browser-")), { width: 1100, height: 800 });
-const page = browser.pages()[0];
-page.on("dialog", (dialog) => dialog.accept());
-page.on("pageerror", (error) => console.error(error));
-await page.goto(host.address);
-const shot = async (name) => writeFileSync(join(shots, "look-" + name + ".png"), await page.screenshot());
+const profile = mkdtempSync(join(work, "browser-"));
+let browser;
+let page;
+async function open() {
+  browser = await openBrowser(profile, { width: 1100, height: 800 });
+  page = browser.pages()[0];
+  page.on("dialog", (dialog) => dialog.accept());
+  page.on("pageerror", (error) => console.error(error));
+  await page.goto(host.address);
+}
+await open();
+const prefix = inFirefox ? "look-firefox-" : "look-";
+const shot = async (name) => writeFileSync(join(shots, prefix + name + ".png"), await page.screenshot());
+
+/** The browser's own process ends as by a crash, found by its profile's lock; it is opened again. */
+async function kill() {
+  const pid = Number(readlinkSync(join(profile, "SingletonLock")).split("-").pop());
+  process.kill(pid, "SIGKILL");
+  await browser.close().catch(() => {});
+  await new Promise((resolve) => setTimeout(resolve, 500));
+  await open();
+}
+const disruptions = new Map(); // by "ANSWERED PHASE", each once
+disruptions.set("2 choosing", () => page.reload()).set("5 rating", () => page.reload());
+disruptions.set("8 rating", inFirefox ? () => page.reload() : kill);
 
 /** Twenty poses of a trial's panorama, as the graphics draw them, against the resampling of another program. */
 async function comparePoses(trial) {
@@ -112,7 +132,12 @@ let found = 0;
 const chosen = new Map(); // by trial
 const isOver = ({ screen }) => ["thanks", "stopped"].includes(screen);
 for (let now = await look(page); !isOver(now); now = await look(page)) {
-  if (now.screen !== "trial") await act(page, now, { mouse: true });
+  const disrupt = now.screen === "trial" && disruptions.get(now.answered + " " + now.phase);
+  if (disrupt) {
+    disruptions.delete(now.answered + " " + now.phase);
+    await disrupt();
+    await page.waitForFunction(() => globalThis.seamline?.visit);
+  } else if (now.screen !== "trial") await act(page, now, { mouse: true });
   else if (now.asks && now.phase === "choosing") {
     const turning = await turns();
     if (turning) await findAndClick(now.trial.picture, CREATURE, "turned");
@@ -140,7 +165,8 @@ for (const answer of answers) {
   if (moving) assert.ok(Math.abs(Math.abs(poses.at(-1)[1]) - 177) < 6, "it ends at the creature, behind the start");
   for (let i = 1; i < poses.length; ++i) assert.ok(poses[i][0] - poses[i - 1][0] >= 32, "at most thirty poses a second");
 }
-console.log("12 trials by mouse: " + found + " times the object behind the start was found and chosen, its poses are in the log");
+assert.equal(disruptions.size, 0, "the visit was broken off as often as it was to be");
+console.log("12 trials by mouse, broken off three times, no answer lost: " + found + " times the object behind the start was found and chosen, its poses are in the log");
 writeFileSync(join(work, "look.jsonl"), messages.map((message) => JSON.stringify(message) + "\n").join(""));
 await browser.close();
 await host.stop();

@@ -4,10 +4,23 @@ import { join } from "node:path";
 
 const require = createRequire(join(process.env.SEAMLINE_NODE_MODULES, "x.js"));
 export const { chromium } = require("playwright-core");
+export const inFirefox = Boolean(process.env.SEAMLINE_FIREFOX);
 export const axeSource = require("axe-core").source;
+
+/** Firefox as a distribution has it, by WebDriver BiDi; its storage lasts as long as it runs. */
+async function openFirefox() {
+  const { firefox } = createRequire(join(process.env.SEAMLINE_FIREFOX_MODULES, "x.js"))("playwright-core");
+  const prefs = { "webgl.force-enabled": true, "gfx.webrender.software": true };
+  const browser = await firefox.launch({ executablePath: process.env.SEAMLINE_FIREFOX, channel: "moz-firefox", headless: true, firefoxUserPrefs: prefs });
+  const context = await browser.newContext({ viewport: null });
+  await context.newPage();
+  context.on("close", () => browser.close());
+  return context;
+}
 
 /** A browser with its own storage; `ratio` is the screen's, as a driver's emulation would not be. */
 export function openBrowser(folder, { ratio = 1, width = 1280, height = 900, args = [] } = {}) {
+  if (inFirefox) return openFirefox();
   return chromium.launchPersistentContext(folder, {
     executablePath: process.env.SEAMLINE_CHROMIUM,
     headless: true,

@@ -94,7 +94,7 @@ export async function enterHeadset(view, ended) {
   let axes = axesOf({ yaw_deg: 0, pitch_deg: 0 });
   let reader = null;
   let start = null; // the yaw that is to be in front
-  let board = { yaw_deg: 0, drawn: "", boxes: [] };
+  let board = { yaw_deg: 0, drawn: "", asked: "", boxes: [] };
   const head = {
     /** What is seen: {panorama, words: null | {question, hint, answers}}. */
     scene: { panorama: false, words: null },
@@ -143,10 +143,12 @@ export async function enterHeadset(view, ended) {
   }
   function writeBoard() {
     const { question, hint, answers } = head.scene.words;
+    // Each question comes in front of the head, wherever it has turned.
+    if (board.asked !== question) board.yaw_deg = head.pose().yaw_deg;
+    board.asked = question;
     const looked = head.answer();
     const wanted = JSON.stringify([question, hint, answers, looked]);
     if (board.drawn === wanted) return;
-    if (board.drawn === "") board.yaw_deg = head.pose().yaw_deg;
     board.drawn = wanted;
     board.boxes = boxesOf(answers);
     paint.fillStyle = "rgb(238 238 238)";
@@ -192,7 +194,7 @@ export async function enterHeadset(view, ended) {
     gl.clearColor(128 / 255, 128 / 255, 128 / 255, 1);
     gl.clear(gl.COLOR_BUFFER_BIT);
     if (head.scene.words) writeBoard();
-    else board.drawn = "";
+    else board.asked = "";
     const eyes = [];
     for (const eye of pose.views) {
       const place = layer.getViewport(eye);

@@ -119,7 +119,7 @@ function viewOf(app, trial) {
     /** What stands on the screen for the panorama. */
     shown(image) {
       app.view.put(image);
-      app.view.draw(look, pose);
+      if (app.headset === null) app.view.draw(look, pose); // else the headset draws, and the canvas is not to change its size
       return app.view.canvas;
     },
     turn(right_deg, up_deg) {
