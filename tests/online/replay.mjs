@@ -5,6 +5,9 @@ import { cpSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
+import { webcrypto } from "node:crypto";
+
+globalThis.crypto ??= webcrypto; // Debian 12's Node 18 has it under this name only; browsers have it everywhere
 
 let copied = null;
 /** One of the page's modules, where Node takes .js for modules. */
