@@ -178,7 +178,9 @@ void add_checks(Analysis& analysis) {
   for (std::string& note : notes_on_headline(analysis)) analysis.notes.push_back(std::move(note));
   for (std::string& note : notes_on_steps(analysis)) analysis.notes.push_back(std::move(note));
   add_notes_on_screening(analysis);
-  analysis.notes.insert(analysis.notes.end(), analysis.guessing.notes.begin(), analysis.guessing.notes.end());
+  if (asks_ratings(analysis.log))  // else no curve that is corrected for guessing is shown
+    analysis.notes.insert(analysis.notes.end(), analysis.guessing.notes.begin(),
+                          analysis.guessing.notes.end());
 }
 
 std::string rising_note(const LevelAxis& axis) {
