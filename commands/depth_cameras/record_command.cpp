@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "commands/depth_cameras/rig_options.h"
 #include "live/recording/make_recording.h"
 #include "raytracer/common/parallel.h"
 #include "support/files/assets.h"
@@ -20,11 +21,11 @@ using Coordinates = std::array<double, 3>;
 
 struct RecordOptions {
   std::string scene, preset, out, path = "orbit";
-  Coordinates at_m{}, look_at_m{0, 0, -1}, environment{1, 1, 1};
+  Coordinates at_m{}, look_at_m{0, 0, -1};
   bool has_place = false, angle_given = false, distance_given = false, no_poses = false;
   double noise_scale = 1;
-  int spp = 16, bounces = 2;
   std::uint64_t seed = 1;
+  RigPhotographOptions photograph{.bounces = 2, .spp = 16};
   MakeOptions make;
 };
 
@@ -54,18 +55,20 @@ void run_record(RecordOptions options) {
   const renderer::SceneFile file = renderer::read_scene_file(resolve_named_file(options.scene, "SCENE"));
   SceneDefinition definition;
   definition.name = "record";
-  definition.environment_radiance = options.environment;
-  definition.bounces = options.bounces;
+  definition.environment_radiance = options.photograph.environment;
+  definition.bounces = options.photograph.bounces;
   if (options.has_place) {
     definition.camera = CameraDefinition{point_of(options.at_m), point_of(options.look_at_m)};
     options.make.orbit_m = point_of(options.look_at_m);
   }
   options.make.path.kind = path_of(options.path);
   options.make.keeps_poses = !options.no_poses;
+  options.make.exposure_ev = options.photograph.exposure_ev;
   const std::uint64_t seed = options.seed;
-  options.make.sense = {.key = {.seed = seed, .frame = 0},
-                        .noise_scale = options.noise_scale,
-                        .photograph = {.spp = options.spp, .seed = seed, .threads = default_thread_count()}};
+  options.make.sense = {
+      .key = {.seed = seed, .frame = 0},
+      .noise_scale = options.noise_scale,
+      .photograph = {.spp = options.photograph.spp, .seed = seed, .threads = default_thread_count()}};
   const Recording recording =
       make_recording(file, definition, rig, options.preset, options.make, options.out);
   fmt::print("{}: {} frames, depth {} x {}, colour {} x {}\n", options.out, recording.frames.size(),
@@ -97,25 +100,11 @@ void add_record_command(CLI::App& app) {
                                      "of a sweep or an approach")
                               ->capture_default_str();
   command->add_flag("--without-poses", options->no_poses, "leave out of the index where the camera stood");
-  CLI::Option* at = add_number(*command, "--at", options->at_m, any_place_m,
-                               "the colour camera's first place (default: the scene's camera)");
-  CLI::Option* look_at = add_number(*command, "--look-at", options->look_at_m, any_place_m,
-                                    "the point it looks at, and orbits about");
-  at->needs(look_at);
-  look_at->needs(at);
-  add_number(*command, "--noise", options->noise_scale, {0, 1e6},
-             "scale of the sensor's noise; 0: none, its holes stay")
-      ->capture_default_str();
-  add_number(*command, "--seed", options->seed, any_seed, "seed of noise and samples")->capture_default_str();
-  add_number(*command, "--environment", options->environment, {0, limits::strongest_light, "W/m2/sr"},
-             "environment radiance R G B of the photographs")
-      ->capture_default_str();
-  add_number(*command, "--bounces", options->bounces, {0, 1024}, "further diffuse scatterings")
-      ->capture_default_str();
-  add_number(*command, "--spp", options->spp, {1, 65536}, "samples per pixel of the photographs")
-      ->capture_default_str();
-  add_number(*command, "--exposure", options->make.exposure_ev, {-60, 60, "stops"}, "of the photographs")
-      ->capture_default_str();
+  CLI::Option* at = add_rig_place(*command, options->at_m, options->look_at_m);
+  at->description("the colour camera's first place (default: the scene's camera)");
+  command->get_option("--look-at")->description("the point it looks at, and orbits about");
+  add_noise_options(*command, options->noise_scale, options->seed);
+  add_photograph_options(*command, options->photograph);
   command->callback([options, at, angle, distance] {
     options->has_place = at->count() > 0;
     options->angle_given = angle->count() > 0;

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "commands/depth_cameras/rig_options.h"
 #include "laboratory/settling/frame_ground.h"
 #include "laboratory/settling/sensed_depth.h"
 #include "raytracer/common/parallel.h"
@@ -144,19 +145,11 @@ void add_relight_command(CLI::App& app) {
   command->add_option("--sensor", options->sensed.sensor, "preset of a rig (documentation/how-to/sensors.md)")
       ->required();
   command->add_option("--out", options->out, "folder to write; made when missing")->required();
-  CLI::Option* at = add_number(*command, "--at", options->sensed.at_m, any_place_m,
-                               "the colour camera's place (default: the scene's camera)");
-  CLI::Option* look_at =
-      add_number(*command, "--look-at", options->sensed.look_at_m, any_place_m, "the point it looks at");
-  at->needs(look_at);
-  look_at->needs(at);
+  CLI::Option* at = add_rig_place(*command, options->sensed.at_m, options->sensed.look_at_m);
   add_number(*command, "--to-sun", options->to_sun, {-1e9, 1e9},
              "towards the virtual light, in the scene's world")
       ->capture_default_str();
-  add_number(*command, "--noise", options->sensed.noise_scale, {0, 1e6},
-             "scale of the sensor's noise; 0: none, its holes stay")
-      ->capture_default_str();
-  add_number(*command, "--seed", options->sensed.seed, any_seed, "seed of the noise")->capture_default_str();
+  add_noise_options(*command, options->sensed.noise_scale, options->sensed.seed);
   add_number(*command, "--plane-tolerance", options->tolerance_m, {1e-6, 10, "m"},
              "what lies so near to a plane is replaced by it")
       ->capture_default_str();

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "commands/depth_cameras/rig_options.h"
 #include "raytracer/common/parallel.h"
 #include "registration/files/camera_file.h"
 #include "registration/pictures/depth_picture.h"
@@ -27,11 +28,12 @@ using Coordinates = std::array<double, 3>;
 
 struct SenseOptions {
   std::string scene, sensor, out;
-  Coordinates at_m{}, look_at_m{0, 0, -1}, environment{1, 1, 1};
+  Coordinates at_m{}, look_at_m{0, 0, -1};
   bool has_place = false;
-  double noise_scale = 1, exposure_ev = 0;
+  double noise_scale = 1;
   std::uint64_t seed = 1;
-  int frame = 0, spp = 64, bounces = 4;
+  int frame = 0;
+  RigPhotographOptions photograph;
 };
 
 Eigen::Vector3d point_of(const Coordinates& v) {
@@ -41,8 +43,8 @@ Eigen::Vector3d point_of(const Coordinates& v) {
 SceneDefinition scene_of(const SenseOptions& options) {
   SceneDefinition scene;
   scene.name = "sense";
-  scene.environment_radiance = options.environment;
-  scene.bounces = options.bounces;
+  scene.environment_radiance = options.photograph.environment;
+  scene.bounces = options.photograph.bounces;
   if (options.has_place) scene.camera = CameraDefinition{point_of(options.at_m), point_of(options.look_at_m)};
   return scene;
 }
@@ -100,7 +102,7 @@ void run_sense(const SenseOptions& options) {
       sense_frame(scene, rig, scene.world_from_colour,
                   {.key = {options.seed, static_cast<std::uint64_t>(options.frame)},
                    .noise_scale = options.noise_scale,
-                   .photograph = {.spp = options.spp,
+                   .photograph = {.spp = options.photograph.spp,
                                   .seed = options.seed,
                                   .threads = default_thread_count(),
                                   .progress = [&, last = 0.0](double share) mutable {
@@ -118,7 +120,7 @@ void run_sense(const SenseOptions& options) {
     write_exr(folder / "confidence.exr", plane_of(rig.depth, measured.frame.confidence));
   }
   write_picture_exr(folder / "colour.exr", colour);
-  write_png(folder / "colour.png", display_image(colour, options.exposure_ev));
+  write_png(folder / "colour.png", display_image(colour, options.photograph.exposure_ev));
   registration::CameraFile cameras;
   cameras.depth = rig.depth;
   cameras.colour = rig.colour;
@@ -140,28 +142,12 @@ void add_sense_command(CLI::App& app) {
   command->add_option("--sensor", options->sensor, "preset of a rig (documentation/how-to/sensors.md)")
       ->required();
   command->add_option("--out", options->out, "folder to write; made when missing")->required();
-  CLI::Option* at = add_number(*command, "--at", options->at_m, any_place_m,
-                               "the colour camera's place (default: the scene's camera)");
-  CLI::Option* look_at =
-      add_number(*command, "--look-at", options->look_at_m, any_place_m, "the point it looks at");
-  at->needs(look_at);
-  look_at->needs(at);
-  add_number(*command, "--noise", options->noise_scale, {0, 1e6},
-             "scale of the sensor's noise; 0: none, its holes stay")
-      ->capture_default_str();
-  add_number(*command, "--seed", options->seed, any_seed, "seed of noise and samples")->capture_default_str();
+  CLI::Option* at = add_rig_place(*command, options->at_m, options->look_at_m);
+  add_noise_options(*command, options->noise_scale, options->seed);
   add_number(*command, "--frame", options->frame, {0, 2147483647},
              "number of the moment: another one has other noise")
       ->capture_default_str();
-  add_number(*command, "--environment", options->environment, {0, limits::strongest_light, "W/m2/sr"},
-             "environment radiance R G B of the photograph")
-      ->capture_default_str();
-  add_number(*command, "--bounces", options->bounces, {0, 1024}, "further diffuse scatterings")
-      ->capture_default_str();
-  add_number(*command, "--spp", options->spp, {1, 65536}, "samples per pixel of the photograph")
-      ->capture_default_str();
-  add_number(*command, "--exposure", options->exposure_ev, {-60, 60, "stops"}, "for colour.png")
-      ->capture_default_str();
+  add_photograph_options(*command, options->photograph);
   command->callback([options, at] {
     options->has_place = at->count() > 0;
     run_sense(*options);

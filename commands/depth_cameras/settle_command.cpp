@@ -7,6 +7,7 @@
 #include <memory>
 #include <numbers>
 
+#include "commands/depth_cameras/rig_options.h"
 #include "laboratory/settling/sensed_depth.h"
 #include "laboratory/settling/shake_report.h"
 #include "physics/body_shape.h"
@@ -231,10 +232,7 @@ void add_settle_command(CLI::App& app) {
                                "the colour camera's place (default: the scene's camera)");
   CLI::Option* look_at =
       add_number(*command, "--look-at", options->sensed.look_at_m, any_place_m, "the point it looks at");
-  add_number(*command, "--noise", options->sensed.noise_scale, {0, 1e6},
-             "scale of the sensor's noise; 0: none, its holes stay")
-      ->capture_default_str();
-  add_number(*command, "--seed", options->sensed.seed, any_seed, "seed of the noise")->capture_default_str();
+  add_noise_options(*command, options->sensed.noise_scale, options->sensed.seed);
   command->add_option("--depth", options->depth,
                       "in place of a scene: depth maps, one a frame, as register reads them");
   command->add_option("--camera", options->camera,
