@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <cstring>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "raytracer/scene/gltf/gltf_load.h"
@@ -53,10 +54,21 @@ std::string scene_file_hash(const fs::path& path) {
   return hashes;
 }
 
-std::string scene_inputs(const SceneDefinition& scene) {
-  std::string text = canonical_text(scene) + scene_file_hash(scene.path);
-  for (const ObjectDefinition& object : scene.objects) text += scene_file_hash(object.path);
-  if (scene.environment) text += sha256_of_file(scene.environment->path);
+/// Hashes of files, each read once: the moments of a clip name the same ones.
+struct SceneFileHashes {
+  std::map<fs::path, std::string> known = {};
+
+  const std::string& of(const fs::path& path, std::string (*hash)(const fs::path&)) {
+    const auto [found, added] = known.try_emplace(path);
+    if (added) found->second = hash(path);
+    return found->second;
+  }
+};
+
+std::string scene_inputs(const SceneDefinition& scene, SceneFileHashes& hashes) {
+  std::string text = canonical_text(scene) + hashes.of(scene.path, scene_file_hash);
+  for (const ObjectDefinition& object : scene.objects) text += hashes.of(object.path, scene_file_hash);
+  if (scene.environment) text += hashes.of(scene.environment->path, sha256_of_file);
   return text;
 }
 
@@ -122,7 +134,8 @@ InputHashes::InputHashes(const StudyDefinition& study, const RenderSettings& set
                           RayDevice::instruction_set(), study.width_px, study.height_px,
                           amount_of_work(settings), settings.seed)),
       mesh_(settings.mesh) {
-  for (const SceneDefinition& truth : list_truths(study)) truths_[truth.truth] = scene_inputs(truth);
+  SceneFileHashes hashes;
+  for (const SceneDefinition& truth : list_truths(study)) truths_[truth.truth] = scene_inputs(truth, hashes);
   for (const Stimulus& stimulus : list_stimuli(study)) {
     if (stimulus.depth.chain)
       for (const DepthSource& source : stimulus.depth.chain->sources)
