@@ -149,7 +149,7 @@ for (const [status, reason] of [[401, "forgotten"], [409, "excluded"], [409, und
 
 // JATOS: a run's name is in the address; what jatos.js says of a failure (3.10 with its parts beside the sentence, before
 // without) ends the study where JATOS itself refuses, and passes where anybody else may have answered, or nobody.
-const { append, faultOf, leave, runOf } = await importPart(web, "keeping/jatos.js");
+const { append, faultOf, leave, loadPartsByAddress, runOf } = await importPart(web, "keeping/jatos.js");
 assert.equal(runOf("/publix/0b1c/77aa/start"), "0b1c");
 assert.equal(runOf("/jatos/publix/0b1c/77aa/start"), "0b1c");
 for (const elsewhere of ["/", "/study/index.html", "/publix/"]) assert.equal(runOf(elsewhere), null);
@@ -188,4 +188,14 @@ await append(jatos, "a line\n");
 for (const screen of ["stopped", "thanks", "declined"]) leave(jatos, screen);
 assert.deepEqual(asked, [["a line\n", 0], [true], [false, "declined", false]]);
 assert.equal(jatos.httpRetry, 5);
+
+// Every jQuery that comes loads its parts by their address: also one of a load that was given up, which comes beside the next.
+const settings = [];
+loadPartsByAddress();
+for (const load of ["given up", "the next"]) {
+  globalThis.jQuery = { ajaxSetup: (more) => settings.push([load, more]) };
+  globalThis.jQuery = undefined; // noConflict
+}
+assert.deepEqual(settings, [["given up", { scriptAttrs: {} }], ["the next", { scriptAttrs: {} }]]);
+assert.equal(globalThis.jQuery, undefined);
 console.log("the page's parts keep their laws");

@@ -13,15 +13,17 @@ export function runOf(path) {
 /**
  * jQuery puts scripts of the page's own origin into the page as text, which the page's policy forbids, unless they are to
  * have attributes: then it loads them by their address, as it does all others. jatos.js asks its own jQuery for its other
- * parts as soon as that is there.
+ * parts as soon as that is there; one that comes late, of a load that was given up, is no exception.
  */
-function loadPartsByAddress() {
+export function loadPartsByAddress() {
+  let loaded = globalThis.jQuery;
   Object.defineProperty(globalThis, "jQuery", {
     configurable: true,
-    get: () => undefined,
+    enumerable: true,
+    get: () => loaded,
     set(jQuery) {
-      Object.defineProperty(globalThis, "jQuery", { configurable: true, enumerable: true, writable: true, value: jQuery });
-      jQuery.ajaxSetup({ scriptAttrs: {} });
+      loaded = jQuery;
+      jQuery?.ajaxSetup({ scriptAttrs: {} });
     },
   });
 }
