@@ -51,7 +51,7 @@ Strategy sky_by_surface(const Light& light,
                         std::function<Rgb(const SurfacePoint&, const Eigen::Vector3f&)> radiance_from) {
   return [&light, radiance_from = std::move(radiance_from)](const SurfacePoint& point, const Sampler& sampler,
                                                             std::size_t pixel, RowQuestions& questions) {
-    const auto next = scatter(point, sampler.point(dimension::direction(0)));
+    const auto next = scatter(light, point, sampler.point(dimension::direction(0)));
     if (!next) return;
     questions.past_everything.push_back({pixel, leaving_ray(point, next->direction, light.sky_distance_m),
                                          next->weight * radiance_from(point, next->direction)});
@@ -96,7 +96,7 @@ Strategy glow_by_area(const Light& light) {
 Strategy glow_by_surface(const Light& light, bool weighted) {
   return [&light, weighted](const SurfacePoint& point, const Sampler& sampler, std::size_t pixel,
                             RowQuestions& questions) {
-    const auto next = scatter(point, sampler.point(dimension::direction(0)));
+    const auto next = scatter(light, point, sampler.point(dimension::direction(0)));
     if (!next) return;
     const Eigen::Vector3f direction = next->direction;
     const auto glow = [&light, weighted, point, direction](const SurfacePoint& hit) -> Rgb {
@@ -168,7 +168,7 @@ LightsApart lights_apart(const Light& light) {
   if (light.environment) (apart.map = none)->environment = light.environment;
   if ((light.environment_radiance > 0.0F).any())
     (apart.sky = none)->environment_radiance = light.environment_radiance;
-  if (light.glowing) (apart.glowing = none)->glowing = light.glowing;
+  if (has_glow(light)) (apart.glowing = none)->glowing = light.glowing;
   if (!light.lamps.empty()) (apart.lamps = none)->lamps = light.lamps;
   if (std::any_of(light.suns.begin(), light.suns.end(),
                   [](const Sun& sun) { return sun.angular_radius_rad > 0.0F; })) {

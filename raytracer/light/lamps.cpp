@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace seamline::renderer {
 namespace {
@@ -56,8 +57,11 @@ std::optional<ChosenLamp> choose_lamp(std::span<const Lamp> lamps, const Surface
   return choose_by(lamps, choice, [&](const Lamp& lamp) { return weight_at(lamp, point); });
 }
 
-GlowingSurfaces::GlowingSurfaces(std::span<const std::shared_ptr<const SurfaceMesh>> background)
-    : meshes_(background.begin(), background.end()), density_m2_(background.size()) {
+GlowingSurfaces::GlowingSurfaces(std::span<const std::shared_ptr<const SurfaceMesh>> background,
+                                 std::shared_ptr<const BrightPatches> patches)
+    : meshes_(background.begin(), background.end()),
+      density_m2_(background.size()),
+      patches_(std::move(patches)) {
   double sum = 0;
   for (std::size_t m = 0; m < meshes_.size(); ++m) {
     const SurfaceMesh& mesh = *meshes_[m];

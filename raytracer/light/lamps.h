@@ -13,6 +13,8 @@
 
 namespace seamline::renderer {
 
+struct BrightPatches;
+
 /// A lamp without size, in the renderer's frame (metres, centred on the camera). A point lamp shines alike in
 /// all directions; a spot lamp within `outer_cosine` of its axis, fully within `inner_cosine`
 /// (KHR_lights_punctual: between them the square of a linear ramp in the cosine).
@@ -41,13 +43,18 @@ struct ChosenLamp {
 /// The background's surfaces that glow, as lamps with size: light is sampled from their triangles in
 /// proportion to area and luminance. Surfaces of virtual objects are none of them: whether they are there
 /// differs between the worlds of one path, and they are found by the rays that meet them.
+///
+/// Beside them the spots that lamps without size light on surfaces close to them: those send light on and are
+/// no light samples, but paths look for them.
 class GlowingSurfaces {
  public:
   /// Of a scene's background, in the order in which its meshes are in the scene's geometry.
-  explicit GlowingSurfaces(std::span<const std::shared_ptr<const SurfaceMesh>> background);
+  explicit GlowingSurfaces(std::span<const std::shared_ptr<const SurfaceMesh>> background,
+                           std::shared_ptr<const BrightPatches> patches = nullptr);
 
   [[nodiscard]] bool empty() const { return triangles_.empty(); }
   [[nodiscard]] std::size_t triangles() const { return triangles_.size(); }
+  [[nodiscard]] const BrightPatches* patches() const { return patches_.get(); }  ///< null: none
 
   struct Place {
     Eigen::Vector3f position_m;
@@ -70,6 +77,7 @@ class GlowingSurfaces {
   std::vector<GlowingTriangle> triangles_;
   std::vector<double> shares_;     ///< cumulated over the triangles, ends at 1
   std::vector<float> density_m2_;  ///< of each mesh
+  std::shared_ptr<const BrightPatches> patches_;
 };
 
 }  // namespace seamline::renderer

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "raytracer/light/bright_patches.h"
 #include "raytracer/tracing/geometry.h"
 
 namespace seamline::renderer {
@@ -31,6 +32,12 @@ ScatteredLight scattered_above(const SurfacePoint& point, const Eigen::Vector3f&
   light.specular += mirrored.specular;
   light.density += mirrored.density;
   return light;
+}
+
+/// What paths that a surface scatters have of a direction above its triangle.
+ScatteredLight scattered_by_surface(const SurfacePoint& from, const Eigen::Vector3f& direction) {
+  if ((from.f0 > 0.0F).any()) return scattered_above(from, direction);
+  return scattered_light(scatterer(from), from.normal, from.to_viewer, direction);
 }
 
 /// Light from a direction, sent on.
@@ -70,7 +77,7 @@ std::optional<LightSample> sun_sample(const Light& light, const Sun& sun, const 
   const Eigen::Vector3f to_sun = direction_to_sun(sun, on_disc);
   const bool is_found = hits == SunHits::found && sun.angular_radius_rad > 0.0F && finds_suns(light, point);
   const float weight =
-      is_found ? power_weight(disc_density_sr(sun), scatter_density_sr(point, to_sun)) : 1.0F;
+      is_found ? power_weight(disc_density_sr(sun), scatter_density_sr(light, point, to_sun)) : 1.0F;
   const auto sent = sent_on(point, throughput, weight * sun.irradiance_w_m2, to_sun);
   if (!sent) return std::nullopt;
   return highlighted(to_sun, endless, *sent);
@@ -104,7 +111,7 @@ std::optional<LightSample> glow_sample(const Light& light, const SurfacePoint& p
   const float density_sr = place.density_m2 * distance_m * distance_m / facing;
   if (!(density_sr > 0.0F)) return std::nullopt;
   const float weight =
-      hits == GlowHits::found ? power_weight(density_sr, scatter_density_sr(point, direction)) : 1.0F;
+      hits == GlowHits::found ? power_weight(density_sr, scatter_density_sr(light, point, direction)) : 1.0F;
   const auto sent = sent_on(point, throughput, place.radiance * (weight / density_sr), direction);
   if (!sent || !is_finite(*sent)) return std::nullopt;
   return LightSample{direction, distance_m * before_lamp, sent->diffuse, sent->specular};
@@ -131,7 +138,7 @@ std::optional<LightSample> photographed_sample(const Light& light, const Surface
   const float density_sr =
       density_of_place(place, chosen.direction, chosen.density_sr, direction, distance_m);
   if (!(density_sr > 0.0F)) return std::nullopt;
-  const float weight = power_weight(density_sr, scatter_density_sr(point, direction));
+  const float weight = power_weight(density_sr, scatter_density_sr(light, point, direction));
   const auto sent = sent_on(point, throughput,
                             light.environment->radiance(chosen.direction) * (weight / density_sr), direction);
   if (!sent || !is_finite(*sent)) return std::nullopt;
@@ -147,7 +154,7 @@ std::optional<LightSample> map_sample(const Light& light, const SurfacePoint& po
   if (light.photographed)
     if (const auto place = light.photographed->nearest({Eigen::Vector3f::Zero(), direction}))
       return photographed_sample(light, *place, chosen, point, throughput);
-  const float weight = power_weight(density_sr, scatter_density_sr(point, direction));
+  const float weight = power_weight(density_sr, scatter_density_sr(light, point, direction));
   const auto sent = sent_on(point, throughput, map.radiance(direction) * (weight / density_sr), direction);
   if (!sent) return std::nullopt;
   return LightSample{direction, light.sky_distance_m, sent->diffuse, sent->specular};
@@ -155,7 +162,9 @@ std::optional<LightSample> map_sample(const Light& light, const SurfacePoint& po
 
 }  // namespace
 
-std::optional<Scattered> scatter(const SurfacePoint& from, const Eigen::Array2f& point) {
+namespace {
+
+std::optional<Scattered> scatter_by_surface(const SurfacePoint& from, const Eigen::Array2f& point) {
   const auto next = sample_scattering(scatterer(from), from.normal, from.to_viewer, point);
   if (!next) return std::nullopt;
   const Eigen::Vector3f direction = leaving_direction(from, next->direction);
@@ -163,9 +172,40 @@ std::optional<Scattered> scatter(const SurfacePoint& from, const Eigen::Array2f&
   return Scattered{direction, next->weight, next->specular, next->specular_lobe ? from.alpha : 1.0F};
 }
 
-float scatter_density_sr(const SurfacePoint& from, const Eigen::Vector3f& direction) {
-  if ((from.f0 > 0.0F).any()) return scattered_above(from, direction).density;
-  return scattering_density(scatterer(from), from.normal, from.to_viewer, direction);
+/// A direction of the surface or towards a spot, over the density of both together (one-sample balance
+/// heuristic: Veach and Guibas, SIGGRAPH 1995).
+std::optional<Scattered> scatter_with(const BrightPatches& bright, const PatchAim& aim,
+                                      const SurfacePoint& from, const Eigen::Array2f& point) {
+  Eigen::Vector3f direction;
+  if (point[0] < aim.sum) {
+    direction = direction_to_patch(bright, aim, from, {point[0] / aim.sum, point[1]});
+  } else {
+    const auto next = scatter_by_surface(from, {(point[0] - aim.sum) / (1.0F - aim.sum), point[1]});
+    if (!next) return std::nullopt;
+    direction = next->direction;
+  }
+  if (!above_horizon(from, direction)) return std::nullopt;
+  const ScatteredLight light = scattered_by_surface(from, direction);
+  const float density_sr = (1.0F - aim.sum) * light.density + patch_density_sr(bright, aim, from, direction);
+  if (!(density_sr > 0.0F)) return std::nullopt;
+  return Scattered{direction, light.share / density_sr, light.specular / density_sr};
+}
+
+}  // namespace
+
+std::optional<Scattered> scatter(const Light& light, const SurfacePoint& from, const Eigen::Array2f& point) {
+  if (const BrightPatches* patches = light.glowing ? light.glowing->patches() : nullptr)
+    if (const PatchAim aim = aim_at_patches(*patches, from); aim.sum > 0.0F)
+      return scatter_with(*patches, aim, from, point);
+  return scatter_by_surface(from, point);
+}
+
+float scatter_density_sr(const Light& light, const SurfacePoint& from, const Eigen::Vector3f& direction) {
+  if (const BrightPatches* patches = light.glowing ? light.glowing->patches() : nullptr)
+    if (const PatchAim aim = aim_at_patches(*patches, from); aim.sum > 0.0F)
+      return (1.0F - aim.sum) * scattered_by_surface(from, direction).density +
+             patch_density_sr(*patches, aim, from, direction);
+  return scattered_by_surface(from, direction).density;
 }
 
 Rgb scattered_share_above(const SurfacePoint& point, const Eigen::Vector3f& direction) {
@@ -192,20 +232,21 @@ std::optional<LightSample> light_sample(const Light& light, int number, const Su
                       sun_hits);
   number -= suns;
   if (!light.lamps.empty() && number-- == 0) return lamp_sample(light, point, throughput, sampler, vertex);
-  if (light.glowing && number-- == 0) return glow_sample(light, point, throughput, sampler, vertex, hits);
+  if (has_glow(light) && number-- == 0) return glow_sample(light, point, throughput, sampler, vertex, hits);
   return map_sample(light, point, throughput, sampler, vertex);
 }
 
-Rgb mapped_sky_found(const EnvironmentMap& map, const SurfacePoint& from, const Eigen::Vector3f& direction) {
+Rgb mapped_sky_found(const Light& light, const SurfacePoint& from, const Eigen::Vector3f& direction) {
+  const EnvironmentMap& map = *light.environment;
   return map.radiance(direction) *
-         power_weight(scatter_density_sr(from, direction), map.density_sr(direction));
+         power_weight(scatter_density_sr(light, from, direction), map.density_sr(direction));
 }
 
 Rgb mirrored_suns_found(const Light& light, const SurfacePoint& from, const Eigen::Vector3f& direction) {
   Rgb sum = Rgb::Zero();
   for (const Sun& sun : light.suns)
     if (const Rgb radiance = disc_radiance(sun, direction); (radiance > 0.0F).any())
-      sum += radiance * power_weight(scatter_density_sr(from, direction), disc_density_sr(sun));
+      sum += radiance * power_weight(scatter_density_sr(light, from, direction), disc_density_sr(sun));
   return sum;
 }
 
@@ -216,14 +257,14 @@ FoundGlow glow_found(const Light& light, const SurfacePoint& from, const Eigen::
     const float chosen_sr = density_of_place(hit, from_origin, light.environment->density_sr(from_origin),
                                              direction, hit.distance_m);
     return {light.environment->radiance(from_origin) *
-                power_weight(scatter_density_sr(from, direction), chosen_sr),
+                power_weight(scatter_density_sr(light, from, direction), chosen_sr),
             true};
   }
-  const float density_m2 = light.glowing ? light.glowing->density_m2(hit) : 0.0F;
+  const float density_m2 = has_glow(light) ? light.glowing->density_m2(hit) : 0.0F;
   if (!(density_m2 > 0.0F)) return {hit.emission, false};
   const float facing = std::max(1e-12F, std::abs(hit.geometric_normal.dot(direction)));
   const float density_sr = density_m2 * hit.distance_m * hit.distance_m / facing;
-  return {hit.emission * power_weight(scatter_density_sr(from, direction), density_sr), true};
+  return {hit.emission * power_weight(scatter_density_sr(light, from, direction), density_sr), true};
 }
 
 }  // namespace seamline::renderer

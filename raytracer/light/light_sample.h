@@ -20,7 +20,9 @@ struct Scattered {
   [[nodiscard]] Rgb mirrored_share() const { return (weight > 0.0F).select(specular / weight, 0.0F); }
 };
 /// The direction in which a path leaves a point, for a point of [0, 1)^2; none below the surface's horizon.
-[[nodiscard]] std::optional<Scattered> scatter(const SurfacePoint& from, const Eigen::Array2f& point);
+/// As the surface scatters; where the spots of lamps are worth it, some paths go towards one of those.
+[[nodiscard]] std::optional<Scattered> scatter(const Light& light, const SurfacePoint& from,
+                                               const Eigen::Array2f& point);
 
 /// A glossy surface as a path meets it that a spread lobe led there: no smoother than alpha 0.25 (roughness
 /// 0.5), nor than that lobe. What a mirror casts onto a rough surface (a caustic) is a light that sampling
@@ -32,7 +34,8 @@ inline void blur_after(float spread, SurfacePoint& met) {
 }
 
 /// Per steradian, with which `scatter` chooses a direction.
-[[nodiscard]] float scatter_density_sr(const SurfacePoint& from, const Eigen::Vector3f& direction);
+[[nodiscard]] float scatter_density_sr(const Light& light, const SurfacePoint& from,
+                                       const Eigen::Vector3f& direction);
 
 /// The weight of the diffuse base alone for a cosine-weighted direction, before `leaving_direction` moves it:
 /// its share times cosine, over the cosine's density.
@@ -54,10 +57,15 @@ struct LightSample {
   [[nodiscard]] Rgb total() const { return radiance + mirrored; }
 };
 
+/// Whether a surface of the background glows.
+[[nodiscard]] inline bool has_glow(const Light& light) {
+  return light.glowing != nullptr && !light.glowing->empty();
+}
+
 /// Questions that every surface asks of its light: one of each sun, one of all lamps without size, one of the
 /// glowing surfaces, one of the environment's map. A scene that has none of a kind asks none of it.
 [[nodiscard]] inline int light_samples(const Light& light) {
-  return static_cast<int>(light.suns.size()) + (light.lamps.empty() ? 0 : 1) + (light.glowing ? 1 : 0) +
+  return static_cast<int>(light.suns.size()) + (light.lamps.empty() ? 0 : 1) + (has_glow(light) ? 1 : 0) +
          (light.environment ? 1 : 0);
 }
 
@@ -109,7 +117,7 @@ struct FoundGlow {
 [[nodiscard]] FoundGlow glow_found(const Light& light, const SurfacePoint& from,
                                    const Eigen::Vector3f& direction, const SurfacePoint& hit);
 
-[[nodiscard]] Rgb mapped_sky_found(const EnvironmentMap& map, const SurfacePoint& from,
+[[nodiscard]] Rgb mapped_sky_found(const Light& light, const SurfacePoint& from,
                                    const Eigen::Vector3f& direction);
 
 [[nodiscard]] Rgb mirrored_suns_found(const Light& light, const SurfacePoint& from,
@@ -118,8 +126,7 @@ struct FoundGlow {
 inline Rgb sky_found(const Light& light, const SurfacePoint& from, const Eigen::Vector3f& direction) {
   // No light sample looks for what a surface hides.
   if (const Rgb* hidden = light.hidden_sky_in(direction)) return *hidden;
-  return light.environment ? mapped_sky_found(*light.environment, from, direction)
-                           : light.environment_radiance;
+  return light.environment ? mapped_sky_found(light, from, direction) : light.environment_radiance;
 }
 
 inline Rgb suns_found(const Light& light, const SurfacePoint& from, const Eigen::Vector3f& direction) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "raytracer/light/bright_patches.h"
 #include "raytracer/scene/eyes.h"
 #include "raytracer/scene/lit_parts.h"
 #include "raytracer/scene/resting_object.h"
@@ -240,6 +241,17 @@ void add_glowing(std::span<const std::shared_ptr<const SurfaceMesh>> background,
   if (!glowing->empty()) light.glowing = std::move(glowing);
 }
 
+namespace {
+
+/// Adds the spots of lamps close to surfaces, where there are any.
+void add_bright_patches(std::span<const std::shared_ptr<const SurfaceMesh>> background,
+                        const Geometry& everything, Light& light) {
+  if (auto patches = find_bright_patches(light, everything))
+    light.glowing = std::make_shared<GlowingSurfaces>(background, std::move(patches));
+}
+
+}  // namespace
+
 Eigen::Affine3d standing_placement(const ObjectDefinition& object, const SceneFile& file,
                                    const TruthScene& scene, std::vector<std::string>& rests) {
   const Eigen::Affine3d placement = object_placement(object);
@@ -298,6 +310,8 @@ TruthScene load_truth_scene(const SceneDefinition& definition, int width_px, int
     scene.objects[i] = place_meshes(file, standing_placement(object, file, scene, scene.rests),
                                     scene.camera_position_m, definition.albedo, static_cast<int>(i) + 1);
   }
+  if (!scene.light.lamps.empty())
+    add_bright_patches(scene.background, scene.geometry(true, {1, 2, 3}), scene.light);
   return scene;
 }
 

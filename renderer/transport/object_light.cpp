@@ -46,7 +46,7 @@ void direct_on_object(std::span<const ObjectPoint> points, const Geometry& objec
     const SurfacePoint& point = *points[i].point;
     const Eigen::Array2f sky_point = points[i].sampler.point(dimension::direction(0));
     const auto share = static_cast<float>(light.sky_rays);
-    if (const auto next = scatter(point, sky_point))
+    if (const auto next = scatter(light, point, sky_point))
       rays.add(point, points[i].lit_past, next->direction, light.sky_distance_m,
                {i, next->diffuse() * sky_found(light, point, next->direction) / share +
                        next->weight * suns_found(light, point, next->direction)});

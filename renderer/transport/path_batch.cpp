@@ -84,7 +84,7 @@ void PathBatch::add_sky_of_first() {
     const int rays = joins_bounce ? 1 : light_->sky_rays;
     const auto share = static_cast<float>(rays);
     if (!goes_on) {
-      if (const auto next = scatter(vertex.point, points_[i])) {
+      if (const auto next = scatter(*light_, vertex.point, points_[i])) {
         const Rgb sky = vertex.throughput * sky_found(*light_, vertex.point, next->direction);
         ask(vertex, leaving_ray(vertex.point, next->direction, light_->sky_distance_m),
             {.direct = !joins_bounce,
@@ -136,7 +136,7 @@ void PathBatch::go_on(int vertex) {
   vertex_of_ray_.clear();
   for (std::size_t i = 0; i < vertices_.size(); ++i) {
     Vertex& from = vertices_[i];
-    const auto next = scatter(from.point, points_[i]);
+    const auto next = scatter(*light_, from.point, points_[i]);
     if (!next) continue;
     from.throughput *= next->weight;
     from.spread = next->spread;

@@ -170,7 +170,7 @@ class Uncovered {
     if (light.skips_sky) return;
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const SurfacePoint receiver = of_truths_material(points_[i]);
-      const auto next = scatter(receiver, points_[i].sampler.point(dimension::direction(0)));
+      const auto next = scatter(light, receiver, points_[i].sampler.point(dimension::direction(0)));
       if (next)
         rays_.add(receiver, points_[i].lit, next->direction, light.sky_distance_m,
                   {i, next->diffuse() * sky_found(light, receiver, next->direction)});
@@ -248,7 +248,7 @@ void realtime_on_object(std::span<const ObjectPoint> points, const Geometry& obj
   if (world.light.skips_sky) return;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const SurfacePoint& point = *points[i].point;
-    if (const auto next = scatter(point, points[i].sampler.point(dimension::direction(0))))
+    if (const auto next = scatter(world.light, point, points[i].sampler.point(dimension::direction(0))))
       rays.add(point, points[i].lit_past, next->direction, world.light.sky_distance_m,
                {i, next->diffuse() * sky_found(world.light, point, next->direction)});
   }

@@ -52,7 +52,7 @@ Rgb scattered(const World& world, SurfacePoint point, const Light& light, const 
       if (from_light && !world.occluded(leaving_ray(point, from_light->direction, from_light->far_m)))
         sum += from_light->total();
     }
-    const auto next = scatter(point, sampler.point(dimension::direction(vertex)));
+    const auto next = scatter(light, point, sampler.point(dimension::direction(vertex)));
     if (!next) return sum;
     throughput *= next->weight;
     const Ray ray = leaving_ray(point, next->direction, light.sky_distance_m);
@@ -97,7 +97,7 @@ Rgb change_of_sent(const World& world, const SurfacePoint& from, const Light& li
     if (world.object->occluded(ray, world.counts) && !world.real.occluded(ray, world.counts))
       change -= sample->total();
   }
-  const auto next = scatter(from, sampler.point(dimension::direction(vertex)));
+  const auto next = scatter(light, from, sampler.point(dimension::direction(vertex)));
   if (!next) return change;
   const Ray ray = leaving_ray(from, next->direction, light.sky_distance_m);
   const std::optional<SurfacePoint> met = world.object->nearest(ray, world.counts);
@@ -176,7 +176,7 @@ RadiancePair leaving_pair(const Geometry& real, const Geometry* object, const Su
       without_object.add(*from_light, vertex);
       if (object == nullptr || !object->occluded(ray, counts)) with_object.add(*from_light, vertex);
     }
-    const auto next = scatter(point, sampler.point(dimension::direction(vertex)));
+    const auto next = scatter(light, point, sampler.point(dimension::direction(vertex)));
     if (!next) return pair;
     throughput *= next->weight;
     if (vertex == 0) without_object.leaves_first_by(*next), with_object.leaves_first_by(*next);
@@ -374,7 +374,7 @@ Split leaving_object(const ObjectQuestions& ask, const Geometry& object, const S
     if (from.sees_sky(ask.lit_past, direction))
       out.direct += diffuse_weight(point, chosen) * light.sky(direction) / sky_rays;
   }
-  const auto next = scatter(point, sampler.point(dimension::direction(0)));
+  const auto next = scatter(light, point, sampler.point(dimension::direction(0)));
   if (!next) return out;
   const Rgb diffuse = next->diffuse();
   if (!is_mirror || (diffuse > 0.0F).any() || !mirrors_apart || finds_suns(light, point)) {

@@ -87,7 +87,7 @@ void direct_on_uncovered(std::span<const UncoveredPoint> points, const Geometry&
   trace(object, &real, Coherence::scattered, &Split::direct, rays, counts, pairs);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const SurfacePoint receiver = shaded_receiver(points[i]);
-    const auto next = scatter(receiver, points[i].sampler.point(dimension::direction(0)));
+    const auto next = scatter(light, receiver, points[i].sampler.point(dimension::direction(0)));
     if (!next) continue;
     if (!light.skips_sky)
       rays.add(receiver, points[i].lit, next->direction, light.sky_distance_m,

@@ -141,11 +141,11 @@ TEST(EnvironmentMap, LightsAPlaneAsBruteForceDoesByEachStrategyAloneAndByBoth) {
     return double{map.radiance(direction)[1] * cosine * inverse_pi / density};
   };
   const auto by_surface = [&](const Sampler& sampler) {
-    return double{map.radiance(scatter(point, sampler.point(6))->direction)[1]};
+    return double{map.radiance(scatter(light, point, sampler.point(6))->direction)[1]};
   };
   const auto by_both = [&](const Sampler& sampler) {
     const auto sample = light_sample(light, 0, point, Rgb::Ones(), sampler, 0, GlowHits::found);
-    const auto next = scatter(point, sampler.point(6));
+    const auto next = scatter(light, point, sampler.point(6));
     return double{(sample ? sample->radiance[1] : 0.0F) + sky_found(light, point, next->direction)[1]};
   };
   std::vector<double> errors;
@@ -182,7 +182,7 @@ SampleMean sun_in_a_mirror(Light light, float alpha, bool paths_look) {
     const Sampler sampler(9, i, 0, 0);
     const auto sample = light_sample(light, 0, mirror, Rgb::Ones(), sampler, 0, GlowHits::unknown,
                                      paths_look ? SunHits::found : SunHits::unknown);
-    const auto next = scatter(mirror, sampler.point(dimension::direction(0)));
+    const auto next = scatter(light, mirror, sampler.point(dimension::direction(0)));
     const Rgb found =
         next && paths_look ? Rgb(next->weight * suns_found(light, mirror, next->direction)) : Rgb::Zero();
     return double{(sample ? sample->total()[1] : 0.0F) + found[1]};

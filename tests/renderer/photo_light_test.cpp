@@ -103,7 +103,7 @@ TEST(PhotoLight, SurfacesThatSendWhatThePanoramaShowsLightAsSurfacesThatGlow) {
                            .total();
         by_glow +=
             leaving_object(ObjectQuestions::all_of({&truth, &*hit}), objects, *hit, glow, sampler).total();
-        const auto next = scatter(*hit, sampler.point(dimension::direction(0)));
+        const auto next = scatter(Light{}, *hit, sampler.point(dimension::direction(0)));
         if (!next) continue;
         const Ray ray = leaving_ray(*hit, next->direction, endless);
         if (const auto met = room.depth->nearest(ray); met && !objects.occluded(ray))

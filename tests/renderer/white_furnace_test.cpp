@@ -42,7 +42,7 @@ TEST(WhiteFurnace, LightOfEveryDirectionAboveATriangleAddsUpToOne) {
             Eigen::Vector3d(sine * std::cos(angle), sine * std::sin(angle), z).cast<float>();
         const double solid_angle_sr = 2 * std::numbers::pi / (rings * turns);
         share += solid_angle_sr * double{scattered_share_above(point, direction)[0]};
-        density += solid_angle_sr * double{scatter_density_sr(point, direction)};
+        density += solid_angle_sr * double{scatter_density_sr(Light{}, point, direction)};
       }
     EXPECT_NEAR(share, 1, 0.01) << lean_deg << " " << view_deg;
     EXPECT_LE(density, 1.001);
@@ -53,7 +53,7 @@ TEST(WhiteFurnace, NoSampleOfAMirrorIsLostBelowItsTriangle) {
   for (const double view_deg : {-60.0, -40.0, 0.0, 40.0})
     for (const double lean_deg : {-25.0, 10.0, 29.0}) {
       const SurfacePoint point = leaning_metal(least_alpha, lean_deg, view_deg);
-      const auto next = scatter(point, {0.3F, 0.7F});
+      const auto next = scatter(Light{}, point, {0.3F, 0.7F});
       ASSERT_TRUE(next) << view_deg << " " << lean_deg;
       EXPECT_GT(next->direction.z(), 0);
       EXPECT_NEAR(next->weight[0], 1, 1e-3);
