@@ -20,6 +20,7 @@
 #include "commands/depth_cameras/workbench_command.h"
 #include "commands/evidence/bench_command.h"
 #include "commands/evidence/convergence_command.h"
+#include "commands/evidence/evidence_command.h"
 #include "commands/evidence/field_command.h"
 #include "commands/evidence/marker_command.h"
 #include "commands/evidence/person_command.h"
@@ -56,8 +57,10 @@ namespace {
 
 /// `lab`: what shows how well the program itself works, and what only figures of the papers need.
 void add_lab(CLI::App& app, bool& any_case_failed) {
-  CLI::App* lab = app.add_subcommand("lab", "bench, convergence, stability; scenes; marker, person, field");
+  CLI::App* lab =
+      app.add_subcommand("lab", "evidence; bench, convergence, stability; scenes; marker, person, field");
   lab->require_subcommand(1);
+  laboratory::add_evidence_command(*lab);
   renderer::add_bench_command(*lab);
   renderer::add_convergence_command(*lab);
   renderer::add_marker_command(*lab);

@@ -1,21 +1,14 @@
 #include "sets/timings.h"
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "support/files/atomic_file.h"
+#include "support/running/machine.h"
 
 namespace seamline::renderer {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string processor_name() {
-  std::ifstream cpuinfo("/proc/cpuinfo");
-  for (std::string line; std::getline(cpuinfo, line);)
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  return "unknown";
-}
 
 }  // namespace
 

@@ -9,6 +9,8 @@
 #include "raytracer/common/parallel.h"
 #include "raytracer/tracing/ray_device.h"
 #include "support/files/assets.h"
+#include "support/files/atomic_file.h"
+#include "support/text/csv.h"
 #include "support/text/number_option.h"
 
 namespace seamline::renderer {
@@ -16,7 +18,7 @@ namespace {
 
 struct CommandLine {
   BenchOptions options;
-  std::string only;
+  std::string only, csv;
   bool json = false;
 };
 
@@ -58,7 +60,24 @@ nlohmann::ordered_json json_of(std::string_view benchmark, const Measurement& m)
   return json;
 }
 
+/// A row a measurement, for figures.
+CsvTable table_of_measurements() {
+  return {.name = "bench",
+          .columns = {{"measurement", "", "what was measured"},
+                      {"unit", "", "of found and beside"},
+                      {"found", "", "Seamline's"},
+                      {"beside", "", "what ran beside it"},
+                      {"ratio", "1", "found over beside"}},
+          .rows = {}};
+}
+
+std::vector<CsvValue> row_of(const Measurement& m) {
+  const auto cell = [](std::optional<double> value) { return value ? CsvValue(*value) : CsvValue(); };
+  return {m.what, m.unit, m.found, cell(m.beside), cell(m.ratio)};
+}
+
 void run_bench(const CommandLine& line) {
+  CsvTable table = table_of_measurements();
   nlohmann::ordered_json measurements = nlohmann::ordered_json::array();
   if (!line.json)
     fmt::print(
@@ -68,12 +87,14 @@ void run_bench(const CommandLine& line) {
     if (!line.only.empty() && line.only != benchmark.name) continue;
     if (!line.json) print_heading(benchmark);
     for (const Measurement& measurement : benchmark.run(line.options)) {
+      table.rows.push_back(row_of(measurement));
       if (line.json)
         measurements.push_back(json_of(benchmark.name, measurement));
       else
         print_line(measurement);
     }
   }
+  if (!line.csv.empty()) write_file_atomically(line.csv, csv_text(table));
   if (!line.json) return;
   const nlohmann::ordered_json report = {{"format", "seamline bench 1"},
                                          {"program_version", program_version()},
@@ -95,6 +116,7 @@ void add_bench_command(CLI::App& app) {
   bench->add_option("--only", line->only, "one benchmark")->check(CLI::IsMember(names));
   bench->add_flag("--quick", line->options.quick, "small: whether it runs, not how fast");
   add_number(*bench, "--threads", line->options.threads, {1, 1024}, "threads of builds and pictures");
+  bench->add_option("--csv", line->csv, "also write the measurements to this file, a row each");
   bench->add_flag("--json", line->json, "as data");
   bench->callback([line] { run_bench(*line); });
 }

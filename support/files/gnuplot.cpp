@@ -1,23 +1,18 @@
 #include "support/files/gnuplot.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
-#include <cerrno>
 #include <cstdlib>
+#include <optional>
 #include <stdexcept>
-#include <system_error>
 
 #include "support/files/temporary_folder.h"
+#include "support/running/child_process.h"
 #include "support/running/interrupt.h"
 #include "support/text/error.h"
 #include "support/text/printable.h"
-
-extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to the program
 
 namespace seamline {
 
@@ -34,25 +29,14 @@ InputError no_gnuplot() {
                       .found = "none on the PATH"});
 }
 
-/// Exit status of `gnuplot ARGUMENT` with its errors in `messages`. A user's own settings (`-d`: none) would
-/// make other bytes of the same figure.
-int run_gnuplot(const std::string& argument, const fs::path& messages) {
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, messages.c_str(), O_WRONLY | O_CREAT | O_EXCL,
-                                   0600);
-  posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
-  std::string program = "gnuplot", no_settings = "-d", script = argument;
-  std::array<char*, 4> arguments = {program.data(), no_settings.data(), script.data(), nullptr};
-  pid_t child = 0;
-  const int failure = posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (failure == ENOENT) throw no_gnuplot();
-  if (failure != 0) throw std::system_error(failure, std::generic_category(), "starting gnuplot");
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0)
-    if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "waiting for gnuplot");
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+/// Runs `gnuplot SCRIPT`; its errors are its output. A user's own settings (`-d`: none) would make other
+/// bytes of the same figure.
+ChildResult run_gnuplot(const std::string& script) {
+  const std::optional<ChildResult> result =
+      run_child({.command = {"gnuplot", "-d", script}, .keeps_errors = true});
+  if (!result) throw no_gnuplot();
+  stop_if_interrupted();  // Ctrl-C ends gnuplot too
+  return *result;
 }
 
 /// A text as gnuplot reads it between single quotes.
@@ -106,14 +90,12 @@ std::string figure_script(const std::string& name, int height_px, const std::str
 /// `shown` is what a complaint names.
 std::string svg_of(const std::string& script, const std::string& shown) {
   const TemporaryFolder folder;
-  const fs::path script_file = folder / "script", caller = folder / "call", svg = folder / "svg",
-                 messages = folder / "messages";
+  const fs::path script_file = folder / "script", caller = folder / "call", svg = folder / "svg";
   write_file_atomically(script_file, script);
   write_file_atomically(caller,
                         fmt::format("call {} {}\n", quoted(script_file.string()), quoted(svg.string())));
-  const int status = run_gnuplot(caller.string(), messages);
-  stop_if_interrupted();  // Ctrl-C ends gnuplot too
-  if (status != 0) throw std::runtime_error("gnuplot failed on " + shown + ": " + read_file(messages));
+  const ChildResult drawn = run_gnuplot(caller.string());
+  if (drawn.status != 0) throw std::runtime_error("gnuplot failed on " + shown + ": " + drawn.output);
   std::string text = fs::exists(svg) ? read_file(svg) : std::string();
   if (!is_whole_svg(text))  // gnuplot does not notice a disk that is full
     throw input_error({.file = shown, .wanted = "room for a figure", .found = "a full disk"});
@@ -159,14 +141,13 @@ void draw_figure(const fs::path& svg, int height_px, const std::string& script, 
   const std::string whole = figure_script(svg.filename().string(), height_px, script);
   const TemporaryFolder folder;
   const fs::path script_file = folder / "script", caller = folder / "call", svg_file = folder / "svg",
-                 pdf_file = folder / "pdf", messages = folder / "messages";
+                 pdf_file = folder / "pdf";
   write_file_atomically(script_file, whole);
   write_file_atomically(caller, fmt::format("call {0} {1}\nunset output\nreset\ncall {0} {2} 'pdf'\n",
                                             quoted(script_file.string()), quoted(svg_file.string()),
                                             quoted(pdf_file.string())));
-  const int status = run_gnuplot(caller.string(), messages);
-  stop_if_interrupted();
-  if (status != 0) throw std::runtime_error("gnuplot failed on " + svg.string() + ": " + read_file(messages));
+  const ChildResult run = run_gnuplot(caller.string());
+  if (run.status != 0) throw std::runtime_error("gnuplot failed on " + svg.string() + ": " + run.output);
   const std::string drawn = fs::exists(svg_file) ? read_file(svg_file) : std::string();
   std::string pdf = fs::exists(pdf_file) ? read_file(pdf_file) : std::string();
   if (!is_whole_svg(drawn) || !is_whole_pdf(pdf))

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "tests/analysis/evidence_folder.h"
 #include "tests/analysis/true_coverage.h"
 #include "tests/analysis/true_joint.h"
 
@@ -50,8 +51,7 @@ TEST(SharingCoverage, OfCurvesThatDifferInOneThing) {
   const int studies = given == nullptr ? 200 : std::atoi(given);
   const std::vector<SharingWay> ways = {
       {"shared", {}, false}, {"tested", {}, true}, {"own", {false, false, false, false}, false}};
-  std::filesystem::create_directories(SEAMLINE_TEST_OUTPUT);
-  std::ofstream out(std::filesystem::path(SEAMLINE_TEST_OUTPUT) / "sharing_coverage.csv");
+  std::ofstream out(test::evidence_file("sharing_coverage.csv"));
   out << "curves_differ_in,way,artifact,quantity,coverage_percent,bias_octaves,rmse_octaves,open_percent,"
          "median_octaves,freed_percent\n";
   const std::vector<int> width_px = test::true_widths()[0].width_px;

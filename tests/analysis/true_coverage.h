@@ -126,9 +126,11 @@ inline constexpr const char* true_coverage_header =
     "way,population,widths,people,studies,artifact,quantity,true_px,coverage_percent,too_high_percent,"
     "too_low_percent,open_percent,median_octaves,bias_octaves,rmse_octaves,without_percent\n";
 
-/// All populations and widths that `file` does not hold yet: a run that was stopped goes on where it was.
+/// The populations and widths that `file` does not hold yet: a run that was stopped goes on where it was.
 inline void continue_true_coverage(const std::filesystem::path& file, const std::string& way, int studies,
-                                   const std::function<TrueReadings(const TrueStudy&)>& read) {
+                                   const std::function<TrueReadings(const TrueStudy&)>& read,
+                                   const std::vector<TrueWidths>& designs = true_widths(),
+                                   const std::vector<TruePeople>& populations = true_populations()) {
   std::set<std::string> done;
   std::ifstream before(file);
   for (std::string line; std::getline(before, line);)
@@ -136,8 +138,8 @@ inline void continue_true_coverage(const std::filesystem::path& file, const std:
       done.insert(line.substr(0, line.find(",80,")));
   std::ofstream out(file, std::ios::app);
   if (out.tellp() == 0) out << true_coverage_header;
-  for (const TrueWidths& widths : true_widths())
-    for (const TruePeople& people : true_populations())
+  for (const TrueWidths& widths : designs)
+    for (const TruePeople& people : populations)
       if (!done.contains(way + "," + people.name + "," + widths.name))
         tally_true_coverage(people, widths, studies, read, out, way);
 }

@@ -1,19 +1,16 @@
 // The tables of documentation/evidence/coverage.md on the true crossing: writes true_coverage.csv and
-// true_sentences.csv into the tests' output folder, and goes on there where a run was stopped. Hours of
-// processor time; SEAMLINE_TRUE_STUDIES says how many studies a row (2000 unless given).
+// true_sentences.csv into the tests' output folder (or that of `seamline lab evidence coverage`), and goes on
+// there where a run was stopped. Hours of processor time; SEAMLINE_TRUE_STUDIES says how many studies a row
+// (2000 unless given).
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 
+#include "tests/analysis/evidence_folder.h"
 #include "tests/analysis/true_joint.h"
 
 namespace seamline::analysis {
 namespace {
-
-std::filesystem::path true_output(const char* name) {
-  std::filesystem::create_directories(SEAMLINE_TEST_OUTPUT);
-  return std::filesystem::path(SEAMLINE_TEST_OUTPUT) / name;
-}
 
 int true_studies(int unless_given) {
   const char* given = std::getenv("SEAMLINE_TRUE_STUDIES");
@@ -21,17 +18,17 @@ int true_studies(int unless_given) {
 }
 
 TEST(TrueCoverage, OfThePapersWay) {
-  test::continue_true_coverage(true_output("true_coverage.csv"), "lines", true_studies(2000),
+  test::continue_true_coverage(test::evidence_file("true_coverage.csv"), "lines", true_studies(2000),
                                test::read_by_lines);
 }
 
 TEST(TrueCoverage, OfTheJointModel) {
-  test::continue_true_coverage(true_output("true_coverage.csv"), "joint", true_studies(2000),
+  test::continue_true_coverage(test::evidence_file("true_coverage.csv"), "joint", true_studies(2000),
                                test::read_by_joint_model);
 }
 
 TEST(TrueCoverage, FalseSentencesOfBothModels) {
-  const auto file = true_output("true_sentences.csv");
+  const auto file = test::evidence_file("true_sentences.csv");
   test::continue_false_sentences(file, "ordinal", true_studies(300), {20}, test::said_by_ordinal_model);
   test::continue_false_sentences(file, "joint", true_studies(300), {10, 20, 40}, test::said_by_joint_model);
 }

@@ -55,11 +55,10 @@ TEST(Manners, OneFunctionWritesFiles) {
   EXPECT_GT(sources().size(), 200U);
   // Besides write_file_atomically: a trace and frame times, which grow by the line while the window is open
   // and are for tests and for those who measure; the log (SQLite's own), with the empty file that claims its
-  // name, and the lock beside it; the lock of a set; gnuplot's messages.
-  const std::set<std::string> openers = {"sets/sharing/set_claim.cpp",  "support/files/atomic_file.cpp",
-                                         "support/files/gnuplot.cpp",   "study/app/pictures/frame_times.cpp",
-                                         "study/app/screens/trace.cpp", "study/log/log_create.cpp",
-                                         "study/log/session_claims.cpp"};
+  // name, and the lock beside it; the lock of a set.
+  const std::set<std::string> openers = {
+      "sets/sharing/set_claim.cpp",  "support/files/atomic_file.cpp", "study/app/pictures/frame_times.cpp",
+      "study/app/screens/trace.cpp", "study/log/log_create.cpp",      "study/log/session_claims.cpp"};
   EXPECT_EQ(files_with(R"(std::(basic_)?o?fstream\b|\bfopen\(|\bO_CREAT\b|\bcreat\(|\bmkstemp\()"), openers);
   // A log that is recovered or upgraded takes its name when it is whole, too.
   EXPECT_EQ(files_with(R"(::rename\(|fs::rename\(|filesystem::rename\()"),
@@ -82,9 +81,12 @@ TEST(Manners, OnePlaceMakesTemporaryFoldersAndNoNameIsForeseen) {
       maker);
   // The process id names nothing: it is 1 in every container.
   EXPECT_EQ(files_with(R"(\bgetpid\()"), std::set<std::string>());
-  // What runs other programs, and with what: gnuplot on a script in a folder of its own.
+  // What runs other programs; gnuplot's script lies in a folder of its own.
   EXPECT_EQ(files_with(R"(\bposix_spawnp?\(|\bexec[lv][pe]*\(|\bpopen\(|\bsystem\()"),
-            std::set<std::string>{"support/files/gnuplot.cpp"});
+            std::set<std::string>{"support/running/child_process.cpp"});
+  EXPECT_EQ(files_with(R"(\brun_child\()"),
+            (std::set<std::string>{"laboratory/evidence/remake.cpp", "support/files/gnuplot.cpp",
+                                   "support/running/child_process.cpp", "support/running/child_process.h"}));
   EXPECT_NE(sources().at("support/files/gnuplot.cpp").find("const TemporaryFolder folder;"),
             std::string::npos);
 }

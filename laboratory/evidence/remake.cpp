@@ -1,0 +1,138 @@
+#include "laboratory/evidence/remake.h"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <cctype>
+#include <sstream>
+#include <thread>
+
+#include "laboratory/evidence/evidence_figure.h"
+#include "laboratory/evidence/remade_page.h"
+#include "support/files/assets.h"
+#include "support/files/atomic_file.h"
+#include "support/running/child_process.h"
+#include "support/running/interrupt.h"
+#include "support/running/machine.h"
+#include "support/text/error.h"
+
+namespace seamline::laboratory {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int status_not_here = 77;  ///< by which scripts say that something they need is not installed
+
+fs::path this_program() {
+  return fs::read_symlink("/proc/self/exe");
+}
+
+/// The source of this build: that of ready studies, which an installed program has elsewhere.
+fs::path source_folder() {
+  return builtin_study("quick").parent_path().parent_path();
+}
+
+/// A step's command, taken apart.
+struct StepCommand {
+  std::vector<std::string> words, variables;
+};
+
+bool is_variable(const std::string& word) {
+  const std::size_t equals = word.find('=');
+  return equals != std::string::npos && word.find('-') > equals && word.find('/') > equals;
+}
+
+std::string meant_by(const std::string& word, bool is_first) {
+  const fs::path build = this_program().parent_path();
+  if (word == "SEAMLINE" || (is_first && word == "seamline")) return this_program();
+  if (word == "BUILD") return build;
+  if (word == "SCENES") return build / "scenes" / "builtin";
+  if (is_first && word.starts_with("tests/")) return build / word;
+  if (is_first && word.starts_with("benchmarks/")) return source_folder() / word;
+  if (word.starts_with("stimuli/") && word.ends_with(".toml"))
+    return builtin_study(fs::path(word).stem().string());
+  return word;
+}
+
+StepCommand command_of(const EvidenceStep& step) {
+  StepCommand command;
+  std::istringstream words(step.command);
+  for (std::string word; words >> word;)
+    if (command.words.empty() && is_variable(word))
+      command.variables.push_back(word);
+    else
+      command.words.push_back(meant_by(word, command.words.empty()));
+  return command;
+}
+
+bool is_optional(const EvidenceStep& step) {
+  return step.command.starts_with("benchmarks/cycles/");
+}
+
+const std::vector<EvidenceStep>& steps_of(const EvidencePage& page, bool small) {
+  return small ? page.small_steps : page.steps;
+}
+
+/// What the step printed; run now unless NAME.txt begins with the line that this run would write.
+StepRecord step_record(const EvidencePage& page, const EvidenceStep& step, const fs::path& folder) {
+  const fs::path file = folder / (step.name + ".txt");
+  const std::string first_line = made_by() + ": " + step.command + "\n";
+  std::error_code error;
+  if (fs::exists(file, error))
+    if (const std::string before = read_file(file); before.starts_with(first_line)) {
+      fmt::print(stderr, "evidence {}: {}, made before\n", page.name, step.name);
+      return {step, before.substr(first_line.size())};
+    }
+  const StepCommand command = command_of(step);
+  if (access(command.words.front().c_str(), X_OK) != 0 && is_optional(step))
+    return {step, "left out: no source here\n"};
+  fmt::print(stderr, "evidence {}: {}\n", page.name, step.command);
+  ChildProcess child{.command = command.words, .environment = command.variables, .folder = folder};
+  child.environment.push_back("SEAMLINE_EVIDENCE_FOLDER=" + folder.string());
+  const std::optional<ChildResult> run = run_child(child);
+  stop_if_interrupted();
+  if (run && run->status == status_not_here) return {step, "left out: " + run->output};
+  if (!run || run->status != 0) {
+    const fs::path failed = folder / (step.name + ".failed.txt");
+    write_file_atomically(failed, first_line + (run ? run->output : "it could not be started\n"));
+    throw input_error({.file = failed.string(),
+                       .wanted = "a step that ends well (" + step.command + ")",
+                       .found = run ? fmt::format("exit status {}", run->status) : "no such program"});
+  }
+  write_file_atomically(file, first_line + run->output);
+  return {step, run->output};
+}
+
+}  // namespace
+
+std::string made_by() {
+  return fmt::format("seamline {} on {}, {} threads", program_version(), processor_name(),
+                     std::thread::hardware_concurrency());
+}
+
+std::string missing_of(const EvidencePage& page, bool small) {
+  for (const EvidenceStep& step : steps_of(page, small)) {
+    const std::string program = command_of(step).words.front();
+    if (!is_optional(step) && access(program.c_str(), X_OK) != 0)
+      return program + " is missing; it needs " + page.needs;
+  }
+  return "";
+}
+
+fs::path remake_evidence(const EvidencePage& page, const RemakeOptions& options) {
+  if (const std::string missing = missing_of(page, options.small); !missing.empty())
+    throw input_error({.field = "evidence " + page.name, .wanted = page.needs, .found = missing});
+  const fs::path folder = fs::absolute(options.out) / page.name;
+  prepare_output_folder(folder);
+  std::vector<StepRecord> records;
+  for (const EvidenceStep& step : steps_of(page, options.small))
+    records.push_back(step_record(page, step, folder));
+  std::error_code error;
+  for (const EvidenceFigure& figure : page.figures)
+    if (fs::exists(folder / figure.table, error)) draw_evidence(folder, figure);
+  const fs::path file = options.out / page.name / (page.name + ".md");
+  write_file_atomically(file, remade_page(page, options.small, records, folder));
+  return file;
+}
+
+}  // namespace seamline::laboratory
