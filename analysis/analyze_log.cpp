@@ -15,6 +15,7 @@
 #include "analysis/report/page/report_html.h"
 #include "analysis/report/tables/all_tables.h"
 #include "analysis/report/tables/dictionary.h"
+#include "analysis/report/tables/looking_tables.h"
 #include "analysis/report/tables/preregistration_table.h"
 #include "analysis/report/text/checks_text.h"
 #include "analysis/report/text/depth_error_notes.h"
@@ -110,7 +111,10 @@ AnalysisSummary analyze_log(const AnalysisRequest& request) {
   prepare_output_folder(figures_folder);
   const std::vector<Figure> figures = draw_figures(analysis, numbers, figures_folder);
   const StimulusSamples samples = sample_stimuli(analysis, TemporaryFolder().path());
-  const std::vector<CsvTable> tables = all_tables(analysis, numbers);
+  const std::vector<LookingRow> looking =
+      looking_rows(analysis, study::measured_looks(analysis.log, study::read_looks(analysis.log)));
+  std::vector<CsvTable> tables = all_tables(analysis, numbers);
+  if (!looking.empty()) tables.push_back(looking_table(analysis, looking));
   const auto write = [&](const std::string& name, const std::string& text) {
     write_file_atomically(folder / name, text, Readers::owner);  // it is what people answered
   };
@@ -120,7 +124,7 @@ AnalysisSummary analyze_log(const AnalysisRequest& request) {
   const MethodsText methods = methods_text(analysis, numbers);
   write("report.json", report_json(analysis, methods, tables));
   write("methods.txt", plain_text(methods));
-  write("report.html", report_html(analysis, numbers, figures, samples));
+  write("report.html", report_html(analysis, numbers, figures, samples, looking));
   std::vector<std::string> notes = analysis.notes;
   for (const std::string& note : notes_on(samples)) notes.push_back(note);
   return {.frozen = frozen_text(analysis),

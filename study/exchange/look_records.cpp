@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <utility>
 
 #include "stimuli/study_file/study_file.h"
 #include "study/log/log_database.h"
@@ -78,6 +80,26 @@ LookMeasures measure_look(const std::vector<PoseAt>& poses, double object_yaw_de
   }
   if (end_ms > 0) out.share_facing = facing_ms / end_ms;
   return out;
+}
+
+std::vector<MeasuredLook> measured_looks(const LogContents& log, const std::vector<LookedTrial>& looks) {
+  std::vector<MeasuredLook> measured;
+  if (looks.empty()) return measured;
+  std::map<std::pair<std::string, std::string>, double> yaws;  // by scene and object
+  for (const SceneDefinition& scene : read_study_text(log.study_text, log.file).scenes)
+    for (const ObjectDefinition& object : scene.objects)
+      yaws[{scene.name, object.name}] = object_yaw_deg(scene, object);
+  std::map<std::pair<std::string, int>, const LookedTrial*> of_trial;
+  for (const LookedTrial& one : looks) of_trial[{one.participant, one.trial_index}] = &one;
+  for (std::size_t i = 0; i < log.answers.size(); ++i) {
+    const Answer& answer = log.answers[i];
+    const auto found = of_trial.find({answer.participant, answer.trial_index});
+    const auto yaw = yaws.find({answer.scene, answer.object});
+    if (found == of_trial.end() || yaw == yaws.end()) continue;
+    const double end_ms = 1e-6 * static_cast<double>(answer.rating_ns);
+    measured.push_back({i, yaw->second, measure_look(found->second->poses, yaw->second, end_ms)});
+  }
+  return measured;
 }
 
 double object_yaw_deg(const SceneDefinition& scene, const ObjectDefinition& object) {

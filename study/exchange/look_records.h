@@ -35,6 +35,17 @@ inline constexpr double facing_deg = 15;
 [[nodiscard]] LookMeasures measure_look(const std::vector<PoseAt>& poses, double object_yaw_deg,
                                         double end_ms);
 
+/// An answer to a stimulus, and how its panorama was looked round until the rating.
+struct MeasuredLook {
+  std::size_t answer = 0;  ///< its place in the log's answers
+  double object_yaw_deg = 0;
+  LookMeasures measures = {};
+};
+
+/// Of all answers whose trial has poses, in the log's order. Throws InputError as `read_looks` does.
+[[nodiscard]] std::vector<MeasuredLook> measured_looks(const LogContents& log,
+                                                       const std::vector<LookedTrial>& looks);
+
 /// Yaw of an object's place from the middle column of its scene's panorama.
 [[nodiscard]] double object_yaw_deg(const SceneDefinition& scene, const ObjectDefinition& object);
 

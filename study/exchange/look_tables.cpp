@@ -1,23 +1,11 @@
 #include "study/exchange/look_tables.h"
 
-#include <algorithm>
-#include <map>
 #include <utility>
 
-#include "stimuli/study_file/study_file.h"
 #include "study/exchange/look_records.h"
 
 namespace seamline::study {
 namespace {
-
-/// Yaw of every object of a study, by scene and name.
-std::map<std::pair<std::string, std::string>, double> object_yaws(const LogContents& log) {
-  std::map<std::pair<std::string, std::string>, double> yaws;
-  for (const SceneDefinition& scene : read_study_text(log.study_text, log.file).scenes)
-    for (const ObjectDefinition& object : scene.objects)
-      yaws[{scene.name, object.name}] = object_yaw_deg(scene, object);
-  return yaws;
-}
 
 CsvTable table_of_poses(const std::vector<LookedTrial>& looks) {
   CsvTable table{.name = "poses",
@@ -39,9 +27,6 @@ CsvTable table_of_poses(const std::vector<LookedTrial>& looks) {
 std::vector<CsvTable> look_tables(const LogContents& log) {
   const std::vector<LookedTrial> looks = read_looks(log);
   if (looks.empty()) return {};
-  const auto yaws = object_yaws(log);
-  std::map<std::pair<std::string, int>, const LookedTrial*> of_trial;
-  for (const LookedTrial& one : looks) of_trial[{one.participant, one.trial_index}] = &one;
   CsvTable table{
       .name = "looks",
       .columns = {{"participant", "", "code of the participant"},
@@ -55,14 +40,10 @@ std::vector<CsvTable> look_tables(const LogContents& log) {
                    "until the view first faced the object (15 degrees to either side); empty: never"},
                   {"share_facing", "", "share of the time until the rating in which it did"}},
       .rows = {}};
-  for (const Answer& answer : log.answers) {
-    const auto found = of_trial.find({answer.participant, answer.trial_index});
-    const auto yaw = yaws.find({answer.scene, answer.object});
-    if (found == of_trial.end() || yaw == yaws.end()) continue;
-    const LookMeasures made =
-        measure_look(found->second->poses, yaw->second, 1e-6 * static_cast<double>(answer.rating_ns));
+  for (const auto& [place, yaw_deg, made] : measured_looks(log, looks)) {
+    const Answer& answer = log.answers[place];
     table.rows.push_back({answer.participant, std::int64_t{answer.trial_index}, answer.stimulus_id,
-                          answer.condition, yaw->second, made.degrees_turned,
+                          answer.condition, yaw_deg, made.degrees_turned,
                           made.first_look_s ? CsvValue(*made.first_look_s) : CsvValue(std::string()),
                           made.share_facing});
   }

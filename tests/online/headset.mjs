@@ -159,6 +159,7 @@ for (; !["thanks", "stopped"].includes(seen.screen); seen = await look(page)) {
   await page.waitForTimeout(20);
 }
 assert.equal(seen.screen, "thanks", seen.message ?? "");
+await page.waitForFunction(() => globalThis.seamline.headset === null);
 await shot("thanks");
 
 // The log as it is imported, and its tables.

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "analysis/log_analysis/task_words.h"
 #include "analysis/log_analysis/threshold_rows.h"
 #include "analysis/report/page/checks_section.h"
@@ -117,6 +119,39 @@ std::string methods_section(const Analysis& analysis, const ReportNumbers& numbe
   return html + "</ul>\n</div>\n";
 }
 
+std::string people_mean_text(const PeopleMean& of, double scale, int digits) {
+  const std::string mean = decimal_text(scale * of.mean, digits);
+  if (!std::isfinite(of.low)) return mean;
+  return fmt::format("{} [{}, {}]", mean, decimal_text(scale * of.low, digits),
+                     decimal_text(scale * of.high, digits));
+}
+
+std::string looking_html(const std::vector<LookingRow>& rows) {
+  if (rows.empty()) return "";
+  std::vector<std::vector<std::string>> lines;
+  lines.reserve(rows.size());
+  for (const LookingRow& row : rows)
+    lines.push_back({artifact_title(row.artifact, row.condition), fmt::format("{}", row.people),
+                     fmt::format("{}", row.answers), people_mean_text(row.degrees_turned, 1, 0),
+                     people_mean_text(row.share_seen, 100, 0),
+                     row.first_look_s ? decimal_text(*row.first_look_s, 1) : "never",
+                     people_mean_text(row.share_facing, 100, 0)});
+  return "<h2 id=\"looking\">Where people looked</h2>\n" +
+         html_paragraph(
+             "How people looked round the panoramas, from each picture's onset to its rating. The view faces "
+             "the inserted object while its middle is within 15 degrees to the object's left or right. Means "
+             "are over participants, of their means over trials, with 95 % intervals by Student's t; the "
+             "first look is the median over the trials that had one.") +
+         html_table({{"artifact"},
+                     {"participants", true},
+                     {"trials", true},
+                     {"turned, degrees a trial", true},
+                     {"trials that faced it, %", true},
+                     {"first look, s", true},
+                     {"time facing it, %", true}},
+                    lines);
+}
+
 constexpr const char* contents =
     "<nav><a href=\"#thresholds\">Thresholds</a> <a href=\"#model\">Model</a> <a "
     "href=\"#noticeability\">Noticeability</a> <a "
@@ -134,7 +169,8 @@ constexpr const char* data_section =
 }  // namespace
 
 std::string report_html(const Analysis& analysis, const ReportNumbers& numbers,
-                        const std::vector<Figure>& figures, const StimulusSamples& samples) {
+                        const std::vector<Figure>& figures, const StimulusSamples& samples,
+                        const std::vector<LookingRow>& looking) {
   std::string html = fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>Seamline: "
@@ -147,10 +183,11 @@ std::string report_html(const Analysis& analysis, const ReportNumbers& numbers,
   if (const std::string title = task_words(analysis).title; title != "Noticeability")
     links.replace(links.find(">Noticeability<"), std::string(">Noticeability<").size(), ">" + title + "<");
   html += header(analysis) + links + preregistration_html(analysis) + thresholds_section(analysis) +
-          replication_html(analysis) + differences_html(analysis) + origins_html(analysis) +
-          joint_model_html(analysis, figures) + noticeability_section(analysis, figures) +
-          psychometric_html(analysis, numbers, figures) + comparisons_html(analysis, numbers) +
-          checks_html(analysis, figures) + order_html(numbers, figures) + times_html(numbers, figures);
+          replication_html(analysis) + differences_html(analysis) + looking_html(looking) +
+          origins_html(analysis) + joint_model_html(analysis, figures) +
+          noticeability_section(analysis, figures) + psychometric_html(analysis, numbers, figures) +
+          comparisons_html(analysis, numbers) + checks_html(analysis, figures) +
+          order_html(numbers, figures) + times_html(numbers, figures);
   html += "<h2 id=\"participants\">Participants</h2>\n" + participant_table_html(analysis, numbers);
   html += "<h2 id=\"stimuli\">Stimuli</h2>\n" + samples_html(samples, analysis.data.axis) +
           methods_section(analysis, numbers) + data_section;

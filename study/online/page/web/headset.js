@@ -65,6 +65,9 @@ export async function enterHeadset(view, ended) {
   const { gl } = view;
   const session = await navigator.xr.requestSession("immersive-vr");
   await gl.makeXRCompatible();
+  gl.canvas.remove(); // from a page of feedback, with its layout
+  gl.canvas.removeAttribute("style");
+  gl.canvas.className = "";
   const layer = new XRWebGLLayer(session, gl, { antialias: false });
   session.updateRenderState({ baseLayer: layer });
   const space = await session.requestReferenceSpace("local");

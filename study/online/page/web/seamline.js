@@ -216,6 +216,7 @@ class Study {
 
   #tell() {
     this.guard.look();
+    if (!["trial", "training"].includes(this.visit.screen.name)) this.headset?.end(); // words are read without it
     [...this.#listeners].forEach((listener) => listener());
   }
 

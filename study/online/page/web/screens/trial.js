@@ -482,8 +482,6 @@ function drawTrial(app, display, isPractice) {
       if (worn) {
         worn.once = worn.moved = worn.selected = null;
         worn.scene = { panorama: false, words: null };
-        // Pages of words are read without it.
-        if (!["trial", "training"].includes(app.visit.screen.name)) worn.end();
       }
       document.removeEventListener("keydown", onKey);
       stopWatching();
