@@ -7,6 +7,7 @@
 #include "analysis/log_analysis/adaptive_log.h"
 #include "analysis/log_analysis/headline_rows.h"
 #include "analysis/log_analysis/task_words.h"
+#include "analysis/replication/published_text.h"
 #include "analysis/screening/catch_answers.h"
 #include "analysis/thresholds/planted_noticeability.h"
 #include "stimuli/set/set_study.h"
@@ -234,6 +235,12 @@ void compare_with_archive(Analysis& analysis, const Archive& archive) {
                     .excluded = {}};
   for (const std::string& sentence : sentences_of(asked_of(analysis)))
     done.analysis.rules.push_back(sentence);
+  if (analysis.replication) {
+    std::vector<PublishedThreshold> published;
+    for (const ReplicatedThreshold& one : analysis.replication->thresholds)
+      published.push_back(one.published);
+    done.analysis.rules.push_back(rule_of_published(published, analysis.replication->margin));
+  }
   for (const ParticipantUse& person : analysis.people)
     if (person.use == Use::excluded) done.excluded.push_back(person.record.code);
   analysis.frozen = compare_with_frozen(archive, done);

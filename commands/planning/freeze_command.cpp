@@ -8,6 +8,8 @@
 
 #include "analysis/foresight/plan_text.h"
 #include "analysis/preregistration/freeze.h"
+#include "analysis/preregistration/replication_kit.h"
+#include "analysis/replication/published_text.h"
 #include "commands/options/command_help.h"
 #include "commands/planning/plan_options.h"
 #include "support/files/atomic_file.h"
@@ -19,7 +21,8 @@ namespace seamline::analysis {
 namespace {
 
 struct FreezeOptions {
-  std::string study, out, why, thresholds = "PT,SN";
+  std::string study, out, why, thresholds = "PT,SN", published, kit;
+  double published_margin = 0.5;
   std::vector<std::string> sets;
   FrozenAnalysis analysis = {.thresholds = {}, .rules = {}, .by_hand = {}};
   std::optional<int> participants;
@@ -53,12 +56,23 @@ void add_planned_number(Preregistration& content, const FreezeOptions& options) 
   content.plan = pieces_of(plan_text(plan), '\n');
 }
 
+void require_kit(const FreezeOptions& options) {
+  if (options.sets.empty())
+    throw input_error({.field = "--kit",
+                       .wanted = "a set beside the study: it says how many trials a participant has",
+                       .found = "none"});
+  if (std::filesystem::exists(std::filesystem::symlink_status(options.kit)))
+    throw input_error(
+        {.file = options.kit, .field = "--kit", .wanted = "a folder that is not there yet", .found = "one"});
+}
+
 void freeze(const FreezeOptions& options) {
   namespace fs = std::filesystem;
   if (fs::exists(fs::symlink_status(options.out)))
     throw input_error({.file = options.out,
                        .wanted = "a file that is not there yet (what is frozen is never written again)",
                        .found = "one"});
+  if (!options.kit.empty()) require_kit(options);
   if (options.participants && options.why.empty())
     throw input_error({.field = "--participants", .wanted = "--why TEXT beside it", .found = "no reason"});
   if (!is_utf8(options.why)) throw input_error({.field = "--why", .wanted = "UTF-8", .found = "other bytes"});
@@ -66,6 +80,9 @@ void freeze(const FreezeOptions& options) {
   analysis.thresholds = pieces_of(options.thresholds, ',');
   Preregistration content =
       freeze_study(options.study, std::vector<fs::path>(options.sets.begin(), options.sets.end()), analysis);
+  if (!options.published.empty())
+    content.analysis.rules.push_back(
+        rule_of_published(read_published(options.published).values, options.published_margin));
   if (options.participants) {
     content.participants = *options.participants;
     content.why_so_many = options.why;
@@ -78,6 +95,14 @@ void freeze(const FreezeOptions& options) {
       "or this hash where a date is put to it, before anybody is asked.\n",
       options.out, printable(content.study_name), content.sets.size(), content.sets.size() == 1 ? "" : "s",
       content.participants, read_archive(options.out).sha256);
+  if (options.kit.empty()) return;
+  write_replication_kit({.folder = options.kit,
+                         .archive = options.out,
+                         .set = options.sets.front(),
+                         .published = options.published,
+                         .published_margin = options.published_margin});
+  fmt::print("{}: all that a laboratory needs that repeats the study; begin with its README.md\n",
+             options.kit);
 }
 
 }  // namespace
@@ -104,6 +129,16 @@ void add_freeze_command(CLI::App& app) {
   command->add_option("--compare", analysis.compare, "groups that analyze will compare, as its --compare");
   command->add_option("--by-hand", analysis.by_hand,
                       "whom people will exclude in the log, in words (else nobody may be)");
+  CLI::Option* published = command->add_option(
+      "--published", options->published,
+      "published thresholds that analyze will compare with, as its --published: a CSV file, or \"paper\"");
+  add_number(*command, "--published-margin", options->published_margin, {0.001, 100}, "of analyze")
+      ->needs(published)
+      ->capture_default_str();
+  command->add_option(
+      "--kit", options->kit,
+      "also write a folder for a laboratory that repeats the study: steps, study file, archive, "
+      "consent to fill in");
   add_number(*command, "--bootstrap", analysis.bootstrap_replicates, {100, 1000000}, "of analyze")
       ->capture_default_str();
   add_number(*command, "--seed", analysis.seed, any_seed, "of analyze")->capture_default_str();

@@ -71,6 +71,40 @@ TEST(Freeze, AnAnalysisIsComparedWithWhatWasFrozen) {
   EXPECT_FALSE(std::filesystem::exists(folder / "changed"));
 }
 
+TEST(Freeze, AKitHoldsAllThatALaboratoryNeedsThatRepeatsTheStudy) {
+  const auto folder = fresh_folder("freeze-kit");
+  (void)test::write_picture_set(folder / "set", {.width_px = 64, .height_px = 48, .widths = "64, 128, 256"});
+  const std::string set = (folder / "set").string(), log = (folder / "log.sqlite").string(),
+                    kit = (folder / "kit").string(), study = set + "/study.toml";
+  const std::string freeze =
+      "freeze " + study + " " + set + " --participants 12 --why 'as before' --bootstrap 100";
+  const std::string archive = " --out " + (folder / "frozen.json").string();
+  expect_refused("freeze " + study + " --participants 12 --why 'as before'" + archive + " --kit " + kit,
+                 "wanted a set beside the study");
+  const Outcome frozen =
+      run_seamline(freeze + archive + " --published paper --published-margin 1 --kit " + kit);
+  ASSERT_EQ(frozen.status, 0) << frozen.output;
+  const std::string steps = read_text(folder / "kit" / "README.md");
+  EXPECT_THAT(steps, HasSubstr("| people | 12 |"));
+  EXPECT_THAT(steps, HasSubstr("| trials of a participant | "));
+  EXPECT_THAT(steps, HasSubstr("--published published.csv --published-margin 1"));
+  EXPECT_EQ(read_text(folder / "kit" / "study.toml"), read_text(study));
+  EXPECT_EQ(read_text(folder / "kit" / "frozen.json"), read_text(folder / "frozen.json"));
+  EXPECT_THAT(read_text(folder / "kit" / "published.csv"), HasSubstr("receiver,,PT,426"));
+  expect_refused(freeze + " --kit " + kit + " --out " + (folder / "again.json").string(),
+                 "wanted a folder that is not there yet");
+  EXPECT_FALSE(std::filesystem::exists(folder / "again.json"));
+
+  ASSERT_EQ(run_seamline("study " + set + " --observer threshold --count 12 --log " + log).status, 0);
+  const std::string analyze = "analyze " + log + " --bootstrap 100 --frozen " + kit + "/frozen.json --out " +
+                              (folder / "report").string();
+  const Outcome same = run_seamline(analyze + " --published " + kit + "/published.csv --published-margin 1");
+  EXPECT_THAT(same.output, HasSubstr("data and analysis are those that were frozen")) << same.output;
+  for (const char* otherwise : {"", " --published paper --published-margin 0.5"})
+    EXPECT_THAT(run_seamline(analyze + otherwise).output,
+                HasSubstr("rule of the program: frozen laid beside published thresholds: receiver PT 426"));
+}
+
 TEST(Freeze, WhatCannotBeFrozenIsSaidInOneSentence) {
   const auto folder = fresh_folder("freeze-wrong");
   (void)test::write_picture_set(folder / "set", {.width_px = 64, .height_px = 48});
