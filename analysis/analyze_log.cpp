@@ -4,9 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "analysis/log_analysis/analysis.h"
 #include "analysis/log_analysis/no_seam.h"
+#include "analysis/matching/match_report.h"
 #include "analysis/report/figures/figures.h"
 #include "analysis/report/figures/stimulus_samples.h"
 #include "analysis/report/json/report_json.h"
@@ -22,6 +24,7 @@
 #include "analysis/report/text/numbers_text.h"
 #include "analysis/report/text/threshold_text.h"
 #include "stimuli/definition/methods/analysis_definition.h"
+#include "stimuli/definition/parts/task_definition.h"
 #include "support/files/atomic_file.h"
 #include "support/files/gnuplot.h"
 #include "support/files/temporary_folder.h"
@@ -64,6 +67,37 @@ void lay_beside_published(Analysis& analysis, PublishedThresholds published, con
                                                                   .seed = request.seed});
 }
 
+/// What is made of choices alone.
+void require_nothing_of_choices(const AnalysisRequest& request) {
+  const std::pair<const char*, bool> options[] = {{"--exclude-screened", request.exclude_screened},
+                                                  {"--exclude-inattentive", request.exclude_inattentive},
+                                                  {"--compare", !request.compare.empty()},
+                                                  {"--own", !request.own.empty()},
+                                                  {"--no-seam-at", request.no_seam_at.has_value()},
+                                                  {"--published", !request.published.empty()},
+                                                  {"--frozen", !request.frozen.empty()}};
+  for (const auto& [option, is_given] : options)
+    if (is_given)
+      throw input_error({.field = option,
+                         .wanted = "a log of choices or ratings",
+                         .found = "one of kind = \"match\", in which people moved the level themselves"});
+}
+
+AnalysisSummary analyze_match_log(study::LogContents log, const AnalysisRequest& request) {
+  require_nothing_of_choices(request);
+  std::vector<ParticipantUse> people = select_participants(log, request.include_pilot);
+  for (ParticipantUse& person : people)
+    if (request.exclude_uncorrected && person.use == Use::used && has_uncorrected_vision(person.record))
+      person.use = Use::vision;
+  const MatchAnalysis analysis = analyze_matches(std::move(log), std::move(people));
+  return {.frozen = {},
+          .table = match_text(analysis),
+          .checks = {},
+          .sections = {},
+          .notes = analysis.notes,
+          .report_html = write_match_report(analysis, request.report_folder)};
+}
+
 }  // namespace
 
 AnalysisSummary analyze_log(const AnalysisRequest& request) {
@@ -86,6 +120,7 @@ AnalysisSummary analyze_log(const AnalysisRequest& request) {
   if (!request.published.empty()) published = read_published(request.published);
   if (!request.frozen.empty()) archive = read_archive(request.frozen);
   study::LogContents log = study::read_log(request.log);
+  if (facts_of(log.task.get()).adjusts()) return analyze_match_log(std::move(log), request);
   options.displays = study::read_displays(request.log);
   Analysis analysis =
       analyze(std::move(log), request.include_pilot,

@@ -9,6 +9,8 @@
 #include "analysis/joint/joint_placed.h"
 #include "analysis/scores/level_words.h"
 #include "stimuli/definition/parts/task_definition.h"
+#include "stimuli/study_file/parts/study_file_task.h"
+#include "study/running/staircase_results.h"
 #include "support/text/numbers.h"
 
 namespace seamline::analysis {
@@ -84,7 +86,15 @@ JointAnalysis analyze_placed(const Analysis& analysis, const JointRequest& reque
 }
 
 bool is_adaptive(const std::optional<StudyDefinition>& study) {
-  return study && std::holds_alternative<QuestPlusDefinition>(study->procedure);
+  return study && is_placed_by_answers(*study);
+}
+
+std::string adaptive_note(const study::LogContents& log) {
+  return std::string("Levels were placed by the answers (") +
+         (study::has_staircases(log) ? "staircases" : "QUEST+") +
+         "), so means at a level are over different people and only describe the answers: the paper's way has no "
+         "numbers. Thresholds are of the joint model with each person's own thresholds, over participants. "
+         "'seamline log tracks LOG' prints those of each person.";
 }
 
 void set_aside_adaptive(Analysis& analysis) {

@@ -3,8 +3,8 @@
 
 namespace seamline::analysis {
 
-/// Whether widths were placed by the answers (`procedure = "quest_plus"`). A study that is not known counts
-/// as one of constant stimuli.
+/// Whether widths were placed by the answers (`procedure = "quest_plus"` or `"staircase"`). A study that is
+/// not known counts as one of constant stimuli.
 [[nodiscard]] bool is_adaptive(const std::optional<StudyDefinition>& study);
 
 /// Adaptive placement asks each person at widths that depend on their answers, and how often too: a mean at a
@@ -18,9 +18,6 @@ void set_aside_adaptive(Analysis& analysis);
 [[nodiscard]] JointAnalysis analyze_placed(const Analysis& analysis, const JointRequest& request);
 
 /// What the reader of such an analysis is told.
-inline constexpr const char* adaptive_note =
-    "Levels were placed by the answers (QUEST+), so means at a level are over different people and only "
-    "describe the answers: the paper's way has no numbers. Thresholds are of the joint model with each "
-    "person's own thresholds, over participants. 'seamline log tracks LOG' prints those of each person.";
+[[nodiscard]] std::string adaptive_note(const study::LogContents& log);
 
 }  // namespace seamline::analysis

@@ -284,7 +284,7 @@ Analysis analyze(study::LogContents log, bool include_pilot, const ResamplingReq
     if (asked.joint)
       analysis.joint =
           analyze_placed(analysis, {.sharing = sharing_of(asked), .sharing_tested = asked.sharing_tested});
-    analysis.notes.emplace_back(adaptive_note);
+    analysis.notes.push_back(adaptive_note(analysis.log));
     for (std::string& note : notes_on_headline(analysis)) analysis.notes.push_back(std::move(note));
     add_notes_on_screening(analysis);
   } else {

@@ -46,7 +46,7 @@ FitOptions options_of_choices(const Analysis& analysis) {
 std::vector<OwnThreshold> own_thresholds(const Analysis& analysis) {
   std::vector<OwnThreshold> rows;
   const TaskDefinition* task = analysis.log.task.get();
-  if (task == nullptr || task->repetitions < 2) return rows;
+  if (task == nullptr || (task->repetitions < 2 && !task->staircase)) return rows;
   std::vector<std::string> codes;
   for (const ParticipantUse& person : analysis.people)
     if (person.use == Use::used) codes.push_back(person.record.code);

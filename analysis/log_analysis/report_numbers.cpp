@@ -6,6 +6,7 @@
 
 #include "analysis/log_analysis/participant_facts.h"
 #include "analysis/scores/level_words.h"
+#include "study/running/staircase_results.h"
 #include "support/text/error.h"
 
 namespace seamline::analysis {
@@ -49,7 +50,8 @@ ReportNumbers report_numbers(const Analysis& analysis) {
   numbers.order = session_order(analysis);
   numbers.participants = participant_rows(analysis);
   numbers.questions = answered_questions(analysis.log);
-  if (analysis.adaptive) numbers.tracks = study::quest_plus_estimates(analysis.log);
+  if (analysis.adaptive && !study::has_staircases(analysis.log))
+    numbers.tracks = study::quest_plus_estimates(analysis.log);
   return numbers;
 }
 

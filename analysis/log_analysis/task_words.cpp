@@ -37,6 +37,7 @@ std::string shown_text(const TaskFacts& task, const TaskDefinition& definition) 
           "Each trial showed one picture{}, into which an object had been composited with the help of a depth "
           "map, or its reference. Participants said whether something was inserted (yes or no).",
           seen);
+    case TaskKind::match:  // has a report of its own (analysis/matching)
     case TaskKind::rating:
       return fmt::format(
           "Each trial showed one picture{}, into which an object had been composited with the help of a depth "

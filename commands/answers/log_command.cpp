@@ -17,6 +17,7 @@
 #include "study/log/recovery/log_recovery_text.h"
 #include "study/log/recovery/log_upgrade.h"
 #include "study/running/quest_plus_results.h"
+#include "study/running/staircase_results.h"
 
 namespace seamline::study {
 namespace {
@@ -77,9 +78,11 @@ std::pair<CLI::App*, std::shared_ptr<LogArguments>> add_action(CLI::App& log, co
 void add_people(CLI::App& log) {
   add_action(log, "status", "print who has done what",
              [](const LogArguments& given) { fmt::print("{}", status_text(read_log(given.log))); });
-  add_action(log, "tracks", "print the thresholds of an adaptive study (QUEST+)",
+  add_action(log, "tracks", "print the thresholds of an adaptive study (QUEST+, staircases)",
              [](const LogArguments& given) {
-               fmt::print("{}", tracks_text(quest_plus_estimates(read_log(given.log))));
+               const LogContents contents = read_log(given.log);
+               fmt::print("{}", has_staircases(contents) ? staircases_text(staircase_estimates(contents))
+                                                         : tracks_text(quest_plus_estimates(contents)));
              });
   add_action(log, "exclude", "leave a participant's answers out of the analysis",
              {"code", "of the participant"},

@@ -215,6 +215,7 @@ StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& fol
   check_views(table, study);
   check_looks(table, study);
   check_clip(table, study);
+  check_task_alone(table, study);
   if (const auto analysis = table.table("analysis")) static_cast<void>(read_analysis(*analysis));
   const auto observer = table.table("observer");
   study.observer =

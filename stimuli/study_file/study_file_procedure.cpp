@@ -146,10 +146,16 @@ QuestPlusDefinition read_quest_plus(const TomlTable& table, const LevelDefinitio
 }  // namespace
 
 ProcedureDefinition read_procedure(const TomlTable& study, const LevelDefinition& level) {
-  const bool adaptive = one_of<bool>(study, "procedure", false, {{"constant", false}, {"quest_plus", true}});
+  enum class Placement { constant, quest_plus, staircase };  // [staircase] is read with the task
+  const Placement placement = one_of<Placement>(study, "procedure", Placement::constant,
+                                                {{"constant", Placement::constant},
+                                                 {"quest_plus", Placement::quest_plus},
+                                                 {"staircase", Placement::staircase}});
+  const bool adaptive = placement == Placement::quest_plus;
   const std::optional<TomlTable> settings = study.table("quest_plus");
   if (settings && !adaptive)
-    throw study.complaint("procedure", "\"quest_plus\" where there is a table [quest_plus]", "\"constant\"");
+    throw study.complaint("procedure", "\"quest_plus\" where there is a table [quest_plus]",
+                          placement == Placement::staircase ? "\"staircase\"" : "\"constant\"");
   if (!adaptive) return ConstantDefinition{};
   if (!settings)
     throw study.complaint("quest_plus", "a table [quest_plus] with at least max_shows_per_image", "nothing");

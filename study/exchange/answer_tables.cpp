@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "study/exchange/look_tables.h"
+#include "study/exchange/match_records.h"
 #include "study/log/online/reading_languages.h"
 
 namespace seamline::study {
@@ -150,6 +151,8 @@ std::vector<CsvTable> answer_tables(const LogContents& log, const std::optional<
     for (CsvTable& table : tables) table = without_order(std::move(table), *anonymity);
   else  // how somebody moves may tell who it is
     for (CsvTable& table : look_tables(log)) tables.push_back(std::move(table));
+  if (!anonymity)
+    if (std::optional<CsvTable> matches = match_table(log)) tables.push_back(*std::move(matches));
   tables.push_back(data_dictionary(tables));
   return tables;
 }

@@ -247,11 +247,20 @@ void LogWriter::append_trials(OpenSession& session, std::span<const Trial> trial
   session.trials.insert(session.trials.end(), trials.begin(), trials.end());
 }
 
+void LogWriter::Tables::note_match(std::int64_t session, const TrialAnswer& given) {
+  if (given.matched < 0) return;
+  SQLite::Statement matched(database, R"sql(
+      INSERT INTO events (session, monotonic_ns, kind, trial_index, detail)
+      SELECT ?, ?, 'matched', ?, stimulus_id FROM stimuli WHERE stimulus = ?)sql");
+  run(matched, session, given.choice_ns, given.trial_index, given.matched);
+}
+
 void LogWriter::append_answer(OpenSession& session, const TrialAnswer& answer) {
   assert(answer.trial_index == session.answered && session.session != 0);
   transaction([&] {
     run(tables_->answer, session.participant, answer.trial_index, session.session, answer.chosen_index,
         answer.rating, answer.choice_ns, answer.rating_ns, session.image_scale);
+    tables_->note_match(session.session, answer);
     if (!session.simulated) run(tables_->seen, now_unix_s(), session.session);
   });
   session.answers.push_back(answer);

@@ -71,28 +71,29 @@ Response seeing_response(double seen, const Alternatives& alternatives, Random& 
   return {.chosen_index = alternatives.right, .rating = 1 + random.binomial(highest_rating - 1, seen)};
 }
 
-Response threshold_response(const ThresholdObserver& observer, const Stimulus& stimulus,
-                            const Alternatives& alternatives, Random& random) {
+double seen_by(const ThresholdObserver& observer, const Stimulus& stimulus) {
   const LevelPlace place = place_of(stimulus);
   PsychometricFunction person = average_person(observer.definition, place);
-  if (stands_apart(person.axis, place.level))
-    return seeing_response(seen_apart(observer.definition), alternatives, random);
+  if (stands_apart(person.axis, place.level)) return seen_apart(observer.definition);
   if (person.axis == Axis::log2)
     person.threshold *= std::exp2(observer.shift_octaves);
   else
     person.threshold += observer.shift_linear;
-  return seeing_response(response_probability(person, place.level), alternatives, random);
+  return response_probability(person, place.level);
 }
 
-Response image_response(const ImageObserver& observer, const Stimulus& stimulus,
-                        const Alternatives& alternatives, Random& random) {
+double seen_by(const ImageObserver& observer, const Stimulus& stimulus) {
   const std::string id = stimulus_id(stimulus);
   const auto found = observer.differences->find(id);
   if (found == observer.differences->end())
     throw input_error({.field = id, .wanted = "a picture to look at", .found = "none in the set"});
   const double visible_octaves = std::log2(gain_of(observer.definition) * found->second.above_floor);
   const double z = (visible_octaves + observer.shift_octaves) / observer.definition.scale_octaves;
-  return seeing_response(sigmoid_value(Sigmoid::logistic, z), alternatives, random);
+  return sigmoid_value(Sigmoid::logistic, z);
+}
+
+double log_odds(double probability) {
+  return std::log(probability) - std::log1p(-probability);
 }
 
 /// Mean noticeability of a person who sees with probability P.
@@ -208,17 +209,39 @@ Response respond(const Observer& observer, const Stimulus& stimulus, Random& ran
 
 Response respond(const Observer& observer, const Stimulus& stimulus, const Alternatives& alternatives,
                  Random& random) {
+  return std::visit(Overloaded{[&](const ThresholdObserver& person) {
+                                 return seeing_response(seen_by(person, stimulus), alternatives, random);
+                               },
+                               [&](const ImageObserver& person) {
+                                 return seeing_response(seen_by(person, stimulus), alternatives, random);
+                               },
+                               [&](const GuessingObserver&) { return guess(alternatives, random); },
+                               [&](const PerfectObserver&) {
+                                 return Response{.chosen_index = alternatives.right,
+                                                 .rating = highest_rating};
+                               }},
+                    observer);
+}
+
+double seen_probability(const Observer& observer, const Stimulus& stimulus) {
   return std::visit(
-      Overloaded{
-          [&](const ThresholdObserver& person) {
-            return threshold_response(person, stimulus, alternatives, random);
-          },
-          [&](const ImageObserver& person) { return image_response(person, stimulus, alternatives, random); },
-          [&](const GuessingObserver&) { return guess(alternatives, random); },
-          [&](const PerfectObserver&) {
-            return Response{.chosen_index = alternatives.right, .rating = highest_rating};
-          }},
+      Overloaded{[&](const ThresholdObserver& person) { return seen_by(person, stimulus); },
+                 [&](const ImageObserver& person) { return seen_by(person, stimulus); },
+                 [](const GuessingObserver&) { return 0.0; }, [](const PerfectObserver&) { return 1.0; }},
       observer);
+}
+
+std::size_t matched_rung(const Observer& observer, const std::vector<Stimulus>& ladder, Random& random) {
+  if (std::holds_alternative<GuessingObserver>(observer))
+    return static_cast<std::size_t>(random.below(ladder.size()));
+  const double z = log_odds(random.uniform());
+  std::size_t seen = 0;  // the faintest rung of those from the first on at which the seam is seen
+  std::vector<double> odds;
+  for (const Stimulus& stimulus : ladder) odds.push_back(log_odds(seen_probability(observer, stimulus)));
+  if (odds.front() < z) return 0;
+  while (seen + 1 < odds.size() && odds[seen + 1] >= z) ++seen;
+  if (seen + 1 == odds.size()) return seen;
+  return z - odds[seen + 1] < odds[seen] - z ? seen + 1 : seen;
 }
 
 Response respond_to_attention(const Observer& observer, int right_index, Random& random) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "stimuli/definition/parts/task_definition.h"
 #include "stimuli/definition/stimulus.h"
@@ -84,6 +85,17 @@ struct Response {
 /// The same among other alternatives than the three objects.
 [[nodiscard]] Response respond(const Observer& observer, const Stimulus& stimulus,
                                const Alternatives& alternatives, Random& random);
+
+/// How likely the observer sees the seam of a stimulus; of a guesser 0, of `perfect` 1. Throws as `respond`
+/// does.
+[[nodiscard]] double seen_probability(const Observer& observer, const Stimulus& stimulus);
+
+/// Where the observer stops in a match, among stimuli from where most is seen to where least is: each time
+/// the seam is seen while log(P / (1 - P)) is at least z, z drawn from the logistic distribution, and the
+/// observer stops at the level where it is nearest to z. So a match scatters as the psychometric function
+/// says, around its midpoint. A guesser stops anywhere. `ladder` is not empty.
+[[nodiscard]] std::size_t matched_rung(const Observer& observer, const std::vector<Stimulus>& ladder,
+                                       Random& random);
 
 /// The answer to an attention trial: everybody who looks at the pictures sees it, chooses the right object
 /// and rates it 4; a guesser guesses.

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "study/placement/quest_plus_procedure.h"
+#include "study/placement/staircase.h"
 #include "study/placement/trial.h"
 
 namespace seamline::study {
@@ -17,7 +18,7 @@ struct ConstantProcedure {
 /// How the next stimulus is found: a closed set. An adaptive procedure keeps its belief in its own
 /// alternative, learns and picks in `after_answer`, and shows its pick in `current_stimulus`; nothing else in
 /// a session knows which procedure runs.
-using Procedure = std::variant<ConstantProcedure, QuestPlusProcedure>;
+using Procedure = std::variant<ConstantProcedure, QuestPlusProcedure, StaircaseProcedure>;
 
 /// The stimulus of the trial that is due (an index into the set's stimuli), or none when the procedure is
 /// over.

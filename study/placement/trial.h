@@ -38,6 +38,7 @@ struct TrialAnswer {
   int trial_index = 0;         ///< 0-based place among all trials of the participant, of every kind
   int chosen_index = 0;        ///< 1 left, 2 middle, 3 right
   int rating = 0;              ///< 1 slightly .. 4 extremely noticeable
+  int matched = -1;            ///< of a match, the stimulus at which the participant stopped; -1: none
   std::int64_t choice_ns = 0;  ///< from the image's onset to the choice that counted
   std::int64_t rating_ns = 0;  ///< from the image's onset to the rating; at least choice_ns
   bool operator==(const TrialAnswer&) const = default;

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstdlib>
 #include <memory>
 
 #include "study/log/log_writer.h"
 #include "study/running/participant_session.h"
+#include "study/trials/level_ladders.h"
 #include "study/trials/rendered_set.h"
 #include "study/trials/stimulus_order.h"
 #include "study/visit/session.h"
@@ -66,9 +68,25 @@ Response answer_of(const SimulatedPerson& person, const RenderedSet& set, const 
   return {};
 }
 
-/// One trial from the first image to the stored answer, in no time at all.
-Session run_trial(Session session, const SimulatedPerson& person, const RenderedSet& set,
-                  const std::function<void(const TrialAnswer&)>& store) {
+/// Steps to the level at which the person stops, in as many presses as there are levels between.
+Session run_match(Session session, const SimulatedPerson& person, const RenderedSet& set) {
+  const Trial trial = current_trial(session.trials).value();
+  Random random(person.seed, 1 + static_cast<std::uint64_t>(answered_trials(session.trials)));
+  const LevelLadders& ladders = *session.pace.task.ladders;
+  std::vector<Stimulus> ladder;
+  for (const Trial& picture : pictures_of_ladder(ladders, trial))
+    ladder.push_back(set.manifest.stimuli[static_cast<std::size_t>(picture.stimulus)].stimulus);
+  const int stop = static_cast<int>(matched_rung(person.observer, ladder, random));
+  const int start = ladders.places[static_cast<std::size_t>(trial.stimulus)].rung;
+  const MatchStep step = stop < start ? MatchStep::clearer : MatchStep::fainter;
+  session = next(std::move(session), ImageShown{});
+  for (int moved = 0; moved < std::abs(stop - start); ++moved)
+    session = next(std::move(session), ObjectChosen{.index = static_cast<int>(step)});
+  return next(std::move(session), ObjectChosen{.index = static_cast<int>(MatchStep::just_seen)});
+}
+
+/// One picture or several, from the first onset to the answer.
+Session run_choice(Session session, const SimulatedPerson& person, const RenderedSet& set) {
   const Response response = answer_of(person, set, session);
   const TaskFacts& task = session.pace.task.facts;
   for (int picture = 0; picture < task.pictures; ++picture) {
@@ -77,7 +95,14 @@ Session run_trial(Session session, const SimulatedPerson& person, const Rendered
   }
   if (task.chooses) session = next(std::move(session), ObjectChosen{.index = response.chosen_index});
   const bool nothing_seen = !task.chooses && response.chosen_index != 1;
-  session = next(std::move(session), RatingGiven{.rating = nothing_seen ? 0 : response.rating});
+  return next(std::move(session), RatingGiven{.rating = nothing_seen ? 0 : response.rating});
+}
+
+/// One trial from the first image to the stored answer, in no time at all.
+Session run_trial(Session session, const SimulatedPerson& person, const RenderedSet& set,
+                  const std::function<void(const TrialAnswer&)>& store) {
+  session = session.pace.task.facts.adjusts() ? run_match(std::move(session), person, set)
+                                              : run_choice(std::move(session), person, set);
   store(std::get<Storing>(session.phase).answer);
   session = next(std::move(session), AnswerStored{});
   return next(std::move(session), BreakEnded{});
@@ -88,7 +113,7 @@ int run_participant(LogWriter& log, OpenSession& place, const RenderedSet& set, 
                     const SimulatedPerson& person) {
   Session session = begin_session(open_trials(rules, log, place),
                                   {.break_every_trials = set.study.session.break_every_trials,
-                                   .task = {.facts = facts_of(set.study.task.get())}});
+                                   .task = {.facts = rules.task, .ladders = rules.ladders}});
   while (!std::holds_alternative<Done>(session.phase)) {
     store_due_trial(session.trials, log, place);
     session = run_trial(std::move(session), person, set,

@@ -2,6 +2,8 @@
 
 #include "study/placement/placed_answer.h"
 #include "study/trials/catch_trials.h"
+#include "study/trials/condition_blocks.h"
+#include "study/trials/level_ladders.h"
 #include "study/trials/stimulus_order.h"
 #include "support/arithmetic/random.h"
 
@@ -10,10 +12,6 @@ namespace {
 
 /// Keeps the draws of adaptive procedures apart from those of the order and of the renderer.
 constexpr std::uint64_t quest_plus_salt = 0x71756573742b;  // "quest+"
-
-std::uint64_t participant_seed(std::uint64_t study_seed, int slot) {
-  return Random(mix_bits(study_seed ^ quest_plus_salt), static_cast<std::uint64_t>(slot)).bits();
-}
 
 /// The trials of the procedure among those of the participant, and their answers as the procedure numbers
 /// them.
@@ -36,18 +34,33 @@ OwnTrials own_trials(const TrialRules& rules, const ParticipantProgress& progres
   return own;
 }
 
+Procedure staircases_at(const TrialRules& rules, int slot, const OwnTrials& own) {
+  std::vector<StaircaseAnswer> answers;
+  for (std::size_t i = 0; i < own.answers.size(); ++i) {
+    const auto stimulus = static_cast<std::size_t>(own.stimuli[i]);
+    answers.push_back(
+        {.stimulus = own.stimuli[i],
+         .correct = own.answers[i].chosen_index == rules.staircase->places[stimulus].object_index});
+  }
+  const bool one_more = own.stimuli.size() > own.answers.size();
+  return resume_staircases(begin_staircases(rules.staircase, participant_seed(rules.study_seed, slot)),
+                           answers, one_more ? std::optional(own.stimuli[own.answers.size()]) : std::nullopt);
+}
+
 Procedure procedure_at(const TrialRules& rules, int slot, const OwnTrials& own) {
   if (rules.quest_plus)
     return resume_quest_plus(begin_quest_plus(rules.quest_plus, participant_seed(rules.study_seed, slot)),
                              own.stimuli, own.answers);
+  if (rules.staircase) return staircases_at(rules, slot, own);
   return ConstantProcedure{.order = own.stimuli, .answered = static_cast<int>(own.answers.size())};
 }
 
 /// Those that are decided, then the rest of those that are due to come.
 std::vector<CatchTrial> catches_at(const TrialRules& rules, const ParticipantProgress& progress) {
   std::vector<CatchTrial> catches = catch_trials_of(progress.trials);
-  if (!rules.quest_plus) return catches;  // all are decided
-  const int most = most_trials(begin_quest_plus(rules.quest_plus, 0));
+  if (!rules.is_adaptive()) return catches;  // all are decided
+  const int most = rules.quest_plus ? most_trials(begin_quest_plus(rules.quest_plus, 0))
+                                    : most_trials(begin_staircases(rules.staircase, 0));
   const std::vector<CatchTrial> schedule = draw_catch_trials(
       rules.catches, rules.stimuli, most, {.study_seed = rules.study_seed, .slot = progress.slot});
   for (std::size_t i = catches.size(); i < schedule.size(); ++i) catches.push_back(schedule[i]);
@@ -55,8 +68,9 @@ std::vector<CatchTrial> catches_at(const TrialRules& rules, const ParticipantPro
 }
 
 /// Every stimulus once in a random order, then every stimulus once again: repetitions spread over the
-/// session.
+/// session. Of a match the stimuli that its trials begin with.
 std::vector<int> order_of_repetitions(const TrialRules& rules, const OrderKey& key) {
+  if (rules.ladders) return match_starts(*rules.ladders, rules.repetitions, key);
   constexpr std::uint64_t repetition_salt = 0x616761696e;  // "again"
   std::vector<int> order;
   for (int r = 0; r < rules.repetitions; ++r) {
@@ -71,21 +85,33 @@ std::vector<int> order_of_repetitions(const TrialRules& rules, const OrderKey& k
 
 }  // namespace
 
+std::uint64_t participant_seed(std::uint64_t study_seed, int slot) {
+  return Random(mix_bits(study_seed ^ quest_plus_salt), static_cast<std::uint64_t>(slot)).bits();
+}
+
 TrialRules make_trial_rules(const RenderedSet& set) {
   TrialRules rules{.study_seed = set.study.seed,
                    .catches = set.study.catches,
                    .task = facts_of(set.study.task.get()),
-                   .repetitions = set.study.task ? set.study.task->repetitions : 1};
+                   .repetitions = set.study.task ? set.study.task->repetitions : 1,
+                   .blocks = set.study.task && set.study.task->blocks};
   for (const ManifestStimulus& record : set.manifest.stimuli) rules.stimuli.push_back(record.stimulus);
+  if (rules.task.adjusts())
+    rules.ladders = std::make_shared<const LevelLadders>(
+        make_level_ladders(rules.stimuli, set.study.level.noticeability));
   if (const auto* definition = std::get_if<QuestPlusDefinition>(&set.study.procedure))
     rules.quest_plus = std::make_shared<QuestPlusDesign>(make_quest_plus_design(*definition, rules.stimuli));
+  if (set.study.task && set.study.task->staircase)
+    rules.staircase = std::make_shared<StaircaseDesign>(
+        make_staircase_design(*set.study.task->staircase, set.study.level.noticeability, rules.stimuli));
   return rules;
 }
 
 std::vector<Trial> decided_trials(const TrialRules& rules, int slot, std::span<const Trial> trials) {
-  if (rules.quest_plus || !trials.empty()) return {trials.begin(), trials.end()};
+  if (rules.is_adaptive() || !trials.empty()) return {trials.begin(), trials.end()};
   const OrderKey key{.study_seed = rules.study_seed, .slot = slot};
-  const std::vector<int> order = order_of_repetitions(rules, key);
+  std::vector<int> order = order_of_repetitions(rules, key);
+  if (rules.blocks) order = in_condition_blocks(std::move(order), rules.stimuli, slot);
   std::vector<Trial> decided =
       interleave(order, draw_catch_trials(rules.catches, rules.stimuli, static_cast<int>(order.size()), key));
   const RightRule right = right_rule(rules.task, rules.study_seed, slot);

@@ -21,15 +21,26 @@ namespace seamline::study {
 //       undecided_trial(sequence, number of trials)                   before its picture is shown; keep it
 //       sequence = after_answer(sequence, answer)                     once the answer is kept
 
+struct LevelLadders;  // study/trials/level_ladders.h
+
 /// What decides the trials of all participants of a study.
 struct TrialRules {
   std::vector<Stimulus> stimuli = {};  ///< of the set
   std::uint64_t study_seed = 1;
   CatchDefinition catches = {};
-  std::shared_ptr<const QuestPlusDesign> quest_plus = {};  ///< none: constant stimuli
+  std::shared_ptr<const QuestPlusDesign> quest_plus = {};  ///< none: constant stimuli, or staircases
+  std::shared_ptr<const StaircaseDesign> staircase = {};
   TaskFacts task = {};
   int repetitions = 1;  ///< of every constant stimulus, each time in an order of its own
+  bool blocks = false;  ///< of constant stimuli: conditions in blocks
+  std::shared_ptr<const LevelLadders> ladders = {};  ///< of a match, whose trials are one a ladder; else none
+
+  /// Whether trials are decided one by one, by the answers before them.
+  [[nodiscard]] bool is_adaptive() const { return quest_plus != nullptr || staircase != nullptr; }
 };
+
+/// Seed of the draws of an adaptive procedure.
+[[nodiscard]] std::uint64_t participant_seed(std::uint64_t study_seed, int slot);
 
 [[nodiscard]] TrialRules make_trial_rules(const RenderedSet& set);
 

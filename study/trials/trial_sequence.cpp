@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "study/placement/placed_answer.h"
+#include "support/running/overloaded.h"
 
 namespace seamline::study {
 namespace {
@@ -58,11 +59,12 @@ TrialSequence after_answer(TrialSequence trials, const TrialAnswer& answer) {
     return trials;
   }
   TrialAnswer own = answer;
-  if (const auto* quest_plus = std::get_if<QuestPlusProcedure>(&trials.procedure)) {
+  const auto place_answer = [&](const auto& adaptive) {
     const Trial trial = current_trial(trials).value();
-    const auto& place = quest_plus->design->places[static_cast<std::size_t>(trial.stimulus)];
+    const auto& place = adaptive.design->places[static_cast<std::size_t>(trial.stimulus)];
     own = placed_answer(own, trial.right_index, place.object_index);
-  }
+  };
+  std::visit(Overloaded{[](const ConstantProcedure&) {}, place_answer}, trials.procedure);
   own.trial_index = answered_trials(trials.procedure);
   trials.procedure = after_answer(std::move(trials.procedure), own);
   return trials;

@@ -1,5 +1,6 @@
 #include "study/visit/session.h"
 
+#include "study/trials/level_ladders.h"
 #include "support/running/overloaded.h"
 
 namespace seamline::study {
@@ -47,10 +48,28 @@ bool is_choice(const ObjectChosen& chosen, std::int64_t onset_ns, const SessionP
          chosen.now_ns - onset_ns >= pace.minimum_viewing_ns;
 }
 
+/// A step along the ladder of levels, or the end of a match.
+Phase after_step(const Choosing& phase, const ObjectChosen& chosen, const Session& session) {
+  const int at = picture_on_screen(session).value().stimulus;
+  const auto step = static_cast<MatchStep>(chosen.index);
+  const std::int64_t choice_ns = chosen.now_ns - phase.onset_ns;
+  if (step == MatchStep::just_seen)
+    return Storing{{.trial_index = answered_trials(session.trials),
+                    .chosen_index = chosen.index,
+                    .rating = 1,
+                    .matched = at,
+                    .choice_ns = choice_ns,
+                    .rating_ns = choice_ns}};
+  const std::optional<int> moved_to =
+      next_rung(*session.pace.task.ladders, at, step == MatchStep::clearer ? -1 : 1);
+  return Choosing{.onset_ns = phase.onset_ns, .moved_to = moved_to.value_or(at)};
+}
+
 Phase after_choice(const Choosing& phase, const Event& event, const Session& session) {
   if (std::holds_alternative<PictureTaken>(event)) return before_image(session.pace);
   const auto* chosen = std::get_if<ObjectChosen>(&event);
   if (chosen == nullptr || !is_choice(*chosen, phase.onset_ns, session.pace)) return phase;
+  if (session.pace.task.facts.adjusts()) return after_step(phase, *chosen, session);
   const std::int64_t choice_ns = chosen->now_ns - phase.onset_ns;
   if (session.pace.task.facts.rates)
     return Rating{.onset_ns = phase.onset_ns, .chosen_index = chosen->index, .choice_ns = choice_ns};
@@ -136,6 +155,13 @@ Session next(Session session, const Event& event) {
           [&](const Done& now) { return with(now); },
       },
       phase);
+}
+
+std::optional<Trial> picture_on_screen(const Session& session) {
+  std::optional<Trial> due = current_trial(session.trials);
+  const auto* choosing = std::get_if<Choosing>(&session.phase);
+  if (due && choosing != nullptr && choosing->moved_to >= 0) due->stimulus = choosing->moved_to;
+  return due;
 }
 
 bool is_picture_seen(const SessionTask& task, std::int64_t onset_ns, std::int64_t now_ns) {

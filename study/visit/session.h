@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <variant>
 
@@ -8,6 +9,8 @@
 #include "study/trials/trial_sequence.h"
 
 namespace seamline::study {
+
+struct LevelLadders;  // study/trials/level_ladders.h
 
 // The phases of a session. Times are monotonic nanoseconds from whatever clock the caller has.
 
@@ -27,6 +30,8 @@ struct Gap {  ///< grey between two pictures, for SessionTask::gap_ns
 };
 struct Choosing {  ///< it is, or they were; which of the alternatives is it?
   std::int64_t onset_ns = 0;
+  int moved_to =
+      -1;  ///< of a match, the stimulus that is on the screen; -1: the one that the trial begins with
 };
 struct Rating {  ///< it is chosen, or the task has no choice; how noticeable was the insertion?
   std::int64_t onset_ns = 0;
@@ -67,6 +72,7 @@ struct SessionTask {
   TaskFacts facts = {};
   std::int64_t exposure_ns = 0;  ///< 0: until the answer
   std::int64_t gap_ns = 0;
+  std::shared_ptr<const LevelLadders> ladders = {};  ///< of a match: between which pictures people move
 };
 
 /// How a session is paced.
@@ -104,12 +110,20 @@ struct Session {
 ///     gap_ns--> AwaitingImage of the next picture; after the last one Choosing Choosing --ObjectChosen-->
 ///     Storing;    AwaitingImage --ImageShown--> Rating --RatingGiven--> Storing
 ///
+/// A match:
+///
+///     Choosing --ObjectChosen 1 or 2--> Choosing one level on, unless there is none --ObjectChosen 3-->
+///     Storing
+///
 /// Grey is passed over when inter_trial_ns is 0. Every other event leaves the session as it was, and so does
 /// a choice outside the alternatives, a rating outside 1..4 (0..4 without a choice), a time before the
 /// image's onset or the choice, or a choice before minimum_viewing_ns: a stray key can neither skip a trial,
 /// nor change a rated choice. No image follows an answer that the log has not committed, because only
 /// AnswerStored leaves Storing.
 [[nodiscard]] Session next(Session session, const Event& event);
+
+/// The picture that is due, or in a match the one that the participant has moved to. None where none is due.
+[[nodiscard]] std::optional<Trial> picture_on_screen(const Session& session);
 
 /// Whether the picture of a trial is seen at a time while the answer is awaited: not where pictures were
 /// shown one after another, nor after the exposure.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "stimuli/definition/moving/clip_definition.h"
+#include "study/trials/participant_trials.h"
 #include "study/trials/training_trials.h"
 #include "study/trials/trial_picture.h"
 
@@ -24,11 +25,13 @@ double viewing_s(const StudyDefinition& study) {
   return std::max(study.session.minimum_viewing_s, clip->frames / clip->frames_per_s);
 }
 
-SessionTask session_task(const StudyDefinition& study) {
+SessionTask session_task(const RenderedSet& set) {
+  const StudyDefinition& study = set.study;
   if (!study.task) return {};
   return {.facts = facts_of(study.task.get()),
           .exposure_ns = nanoseconds(study.task->exposure_s),
-          .gap_ns = nanoseconds(study.task->gap_s)};
+          .gap_ns = nanoseconds(study.task->gap_s),
+          .ladders = make_trial_rules(set).ladders};
 }
 
 }  // namespace
@@ -42,7 +45,7 @@ VisitScript make_visit_script(const RenderedSet& set) {
       .pace = {.break_every_trials = study.session.break_every_trials,
                .minimum_viewing_ns = std::max(fastest_choice_ns, nanoseconds(viewing_s(study))),
                .inter_trial_ns = nanoseconds(study.session.inter_trial_s),
-               .task = session_task(study)},
+               .task = session_task(set)},
       .training_rule = right_rule(facts_of(study.task.get()), study.seed, 0)};
   for (std::size_t i = 0; i < script.training.size(); ++i)
     script.training[i].right_index =

@@ -1,11 +1,14 @@
-// Pairs, intervals, yes or no, and ratings in the real program on a real (virtual) screen: the log holds what
-// was pressed, and the first question of each is saved as a picture.
+// Pairs, intervals, yes or no, ratings and matches in the real program on a real (virtual) screen: the log
+// holds what was pressed, and the first question of each is saved as a picture.
 #include <gtest/gtest.h>
 
 #include <map>
 
 #include "picture_set.h"
+#include "study/exchange/match_records.h"
 #include "study/log/log.h"
+#include "study/trials/level_ladders.h"
+#include "study/trials/participant_trials.h"
 #include "window_driver.h"
 
 namespace seamline::study::app {
@@ -91,6 +94,64 @@ TEST_P(TaskWindow, TheLogHoldsWhatWasPressed) {
         EXPECT_EQ(answer.rating, press.rating - 1);
       }
     }
+  }
+}
+
+/// Presses keys until the match of each trial is where it should end; the level at which each ended, by
+/// trial.
+std::map<int, double> match_through(test::WindowDriver& window, const test::XServer& server,
+                                    const RenderedSet& set, const std::vector<Trial>& trials,
+                                    const fs::path& picture) {
+  const LevelLadders ladders = *make_trial_rules(set).ladders;
+  std::map<int, double> ended;
+  for (int look = 0; look < 20000 && window.running(); ++look) {
+    const std::optional<test::Line> line = window.now();
+    const std::string screen = line ? line->value("screen", "") : "";
+    if (screen == "thanks") return ended;
+    if (screen == "consent") window.keys("Tab Tab Return");
+    if (screen == "instructions" || screen == "ready" || screen == "break") window.key("Return");
+    const int trial = line ? line->value("trial", -1) : -1;
+    if (line && line->value("phase", "") == "choosing" && !ended.contains(trial)) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(150));  // the least time of viewing
+      int at = trials.at(static_cast<std::size_t>(trial)).stimulus;
+      for (int press = 0; press <= trial; ++press) {
+        const bool clearer = (press + trial) % 3 == 0;
+        window.key(clearer ? "Left" : "Right");
+        at = next_rung(ladders, at, clearer ? -1 : 1).value_or(at);
+        std::this_thread::sleep_for(std::chrono::milliseconds(60));
+      }
+      if (trial == 1) write_png(picture, server.picture());
+      ended[trial] = set.manifest.stimuli.at(static_cast<std::size_t>(at)).stimulus.level;
+      window.key("Return");
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  throw std::runtime_error("the sitting did not end: " + window.output());
+}
+
+TEST(MatchWindow, TheLogHoldsTheLevelToWhichTheKeysLed) {
+  if (const std::string missing = test::what_is_missing(); !missing.empty()) GTEST_SKIP() << missing;
+  const fs::path folder = fs::path(SEAMLINE_TEST_OUTPUT) / "app" / "task" / "match";
+  fs::remove_all(folder);
+  const RenderedSet set = test::write_picture_set(
+      folder / "set", {.widths = "64, 128, 256, 512",
+                       .session = "inter_trial_s = 0.05\n",
+                       .top = "participant_form = false",
+                       .more = "[task]\nkind = \"match\"\nrepetitions = 2\n[consent]\ntext = \"Discs.\"\n"
+                               "[[instructions.page]]\ntext = \"Press an arrow.\"\n"});
+  const test::XServer server(folder / "screen", 1024, 768);
+  test::keep_display_profile(folder / "run" / "config", 1024, 768);
+  test::WindowDriver window(server,
+                            {.set = folder / "set", .log = folder / "log.sqlite", .folder = folder / "run"});
+  const std::vector<Trial> trials = decided_trials(make_trial_rules(set), 0, {});
+  const std::map<int, double> ended = match_through(window, server, set, trials, folder / "question.png");
+  window.kill();
+  const std::vector<MatchRecord> matches = read_matches(read_log(folder / "log.sqlite"));
+  ASSERT_EQ(matches.size(), 6U);  // three discs, twice
+  for (const MatchRecord& match : matches) {
+    EXPECT_EQ(match.level, ended.at(match.trial_index));
+    EXPECT_EQ(match.steps, match.trial_index + 1);
+    EXPECT_GT(match.answer_s, 0.1);
   }
 }
 

@@ -1,4 +1,4 @@
-// Pairs, intervals, yes or no, and ratings in a real browser: one sitting each, by keys, at `serve`. Sets of these tasks lie
+// Pairs, intervals, yes or no, ratings and matches in a real browser: one sitting each, by keys, at `serve`. Sets of these tasks lie
 // in WORK/KIND-set. What the page sent must be what the log holds. Screenshots go to WORK/shots.
 import assert from "node:assert/strict";
 import { execFileSync, spawn } from "node:child_process";
@@ -83,4 +83,70 @@ for (const [kind, alternatives] of Object.entries(ALTERNATIVES)) {
   }
   assert.equal(found, given.size, kind + ": answers in the log and given");
   console.log(kind + ": " + found + " answers are in the log as they were given");
+}
+
+// A match, by arrow keys, wheel, buttons and Enter: where each trial ended is where these lead from where it began.
+{
+  const levels = [64, 128, 256, 512];
+  const folder = mkdtempSync(join(work, "match-"));
+  execFileSync(program, ["export", "web", join(work, "match-set"), join(folder, "page"), "--serve"]);
+  const log = join(folder, "log.sqlite");
+  const server = await served(join(folder, "page"), join(work, "match-set"), log);
+  const browser = await openBrowser(mkdtempSync(join(work, "browser-")), { width: 1280, height: 900 });
+  const wanted = new Map();
+  try {
+    const page = browser.pages()[0];
+    page.on("pageerror", (error) => assert.fail("match: " + error));
+    await page.goto(server.address);
+    const by = {
+      key: (step) => page.keyboard.press(step < 0 ? "ArrowLeft" : "ArrowRight"),
+      digit: (step) => page.keyboard.press(step < 0 ? "1" : "2"),
+      button: (step) => page.click(step < 0 ? "#answer-1" : "#answer-2"),
+      wheel: async (step) => {
+        await page.mouse.move(400, 100);
+        await page.mouse.wheel(0, step * 100);
+        await page.waitForTimeout(200);
+      },
+    };
+    const ways = Object.values(by);
+    await actUntil(page, ["thanks"], {
+      patience_ms: 120000,
+      each: async (seen) => {
+        if (seen.screen !== "trial" || !seen.asks || seen.phase !== "choosing" || wanted.has(seen.answered)) return;
+        await page.waitForTimeout(150); // the least time of viewing
+        const at = seen.answered;
+        const steps = [1, -1, 1, 1, 1, 1, -1].slice(0, at % 8);
+        let rung = seen.trial.start;
+        for (const step of steps) {
+          await ways[at % ways.length](step);
+          rung = Math.min(levels.length - 1, Math.max(0, rung + step));
+          const visible = await page.evaluate(() => [...document.querySelectorAll(".picture")].filter((image) => image.classList.contains("visible")).length);
+          assert.equal(visible, 1, "match: one picture is seen");
+        }
+        wanted.set(at, { level: levels[rung], start: levels[seen.trial.start], steps: steps.length });
+        if (at === 3) {
+          writeFileSync(join(shots, "task-match.png"), await page.screenshot());
+          await page.evaluate(axeSource);
+          const { violations } = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ["violations"] }));
+          assert.deepEqual(violations.map(({ id }) => id), [], "match");
+        }
+        await page.keyboard.press(at % 2 === 0 && ways[at % ways.length] !== by.button ? "Enter" : "3");
+        await page.waitForFunction((before) => globalThis.seamline.visit.session.trials.answered > before, at);
+      },
+      answer: () => ({ choice: 0 }),
+    });
+  } finally {
+    await browser.close();
+    await server.stop();
+  }
+  execFileSync(program, ["export", "tables", log, join(folder, "csv")]);
+  const [head, ...rows] = readFileSync(join(folder, "csv", "matches.csv"), "utf8").trim().split("\n").map((line) => line.split(","));
+  const value = (row, name) => Number(row[head.indexOf(name)]);
+  for (const row of rows) {
+    const one = wanted.get(value(row, "trial_index"));
+    assert.deepEqual({ level: value(row, "matched_level"), start: value(row, "start_level"), steps: value(row, "steps") }, one);
+  }
+  assert.equal(rows.length, 6, "match: three objects twice");
+  execFileSync(program, ["analyze", log, "--out", join(folder, "report"), "--include-pilot"]);
+  console.log("match: " + rows.length + " matches are in the log as they were made");
 }

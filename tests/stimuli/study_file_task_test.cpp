@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "stimuli/definition/parts/staircase_definition.h"
 #include "stimuli/definition/parts/task_definition.h"
 #include "stimuli/study_file/parts/study_file_task.h"
 #include "stimuli/study_file/study_file.h"
@@ -60,7 +61,11 @@ TEST(StudyFileTask, EveryKeyIsPartOfTheHash) {
                                           "[task]\nkind = \"interval\"\ngap_s = 1\n",
                                           "[task]\nkind = \"interval\"\npictures = 3\n"};
   for (const std::string& task : tasks) hashes.insert(study_hash(study_with_task(task)));
-  EXPECT_EQ(hashes.size(), tasks.size());
+  const std::vector<std::string> stairs = {"", "[staircase]\ndown = 3\n", "[staircase]\nup = 2\n",
+                                           "[staircase]\nstart = [64]\n", "[staircase]\nby_object = true\n"};
+  for (const std::string& staircase : stairs)
+    hashes.insert(study_hash(study_with_task(staircase, "procedure = \"staircase\"")));
+  EXPECT_EQ(hashes.size(), tasks.size() + stairs.size());
 }
 
 TEST(StudyFileTask, TheTextOfAStudySaysItsTaskAlone) {
@@ -80,7 +85,12 @@ TEST(StudyFileTask, TheStudysOwnWordsStay) {
 }
 
 TEST(StudyFileTask, RefusesWhatTheTaskCannotGive) {
-  EXPECT_THAT(complaint_of_task("[task]\nkind = \"match\"\n"), HasSubstr("\"interval\" or \"yes_no\""));
+  EXPECT_THAT(complaint_of_task("[task]\nkind = \"shout\"\n"), HasSubstr("\"interval\" or \"yes_no\""));
+  EXPECT_THAT(complaint_of_task("[task]\nkind = \"pair\"\n[clip]\nframes = 24\nframes_per_s = 24\n"),
+              HasSubstr("clip"));
+  EXPECT_THAT(complaint_of_task("[task]\nkind = \"pair\"\nblocks = \"condition\"\n"),
+              HasSubstr("task.blocks"));
+  EXPECT_THAT(complaint_of_task("[task]\nkind = \"pair\"\nblocks = \"day\"\n"), HasSubstr("task.blocks"));
   EXPECT_THAT(complaint_of_task("[task]\npictures = 2\n"), HasSubstr("task.kind"));
   EXPECT_THAT(complaint_of_task("[task]\nkind = \"pair\"\npictures = 2\n"), HasSubstr("task.pictures"));
   EXPECT_THAT(complaint_of_task("[task]\nkind = \"object\"\nexposure_s = 1\n"), HasSubstr("task.exposure_s"));
@@ -101,6 +111,51 @@ TEST(StudyFileTask, RefusesWhatTheTaskCannotGive) {
                                 "outcome = \"joint\"\n",
                                 "procedure = \"quest_plus\""),
               HasSubstr("quest_plus.outcome"));
+}
+
+/// The same study with four levels.
+std::string complaint_of_match(const std::string& tables, const std::string& top = "") {
+  std::string text = test::study_of_no_files(top, tables);
+  const std::string two = "[64, 4096]";
+  text.replace(text.find(two), two.size(), "[64, 256, 1024, 4096]");
+  return test::complaint_of([&] { (void)read_study_text(text, "study.toml"); });
+}
+
+TEST(StudyFileTask, AMatchRefusesWhatNeedsARightAnswer) {
+  const std::string match = "[task]\nkind = \"match\"\n";
+  EXPECT_EQ(complaint_of_match(match), "no complaint");
+  EXPECT_EQ(complaint_of_match(match + "repetitions = 4\nanswers = [\"a\", \"b\", \"c\"]\n"), "no complaint");
+  EXPECT_THAT(complaint_of_task(match), HasSubstr("at least 3 levels"));
+  EXPECT_THAT(complaint_of_match(match + "[catch]\nattention = 2\n"), HasSubstr("catch"));
+  EXPECT_THAT(complaint_of_match(match + "[training]\ntrials = 2\n"), HasSubstr("training"));
+  EXPECT_THAT(complaint_of_match(match + "exposure_s = 1\n"), HasSubstr("task.exposure_s"));
+  EXPECT_THAT(complaint_of_match(match + "second_question = true\n"), HasSubstr("task.second_question"));
+  EXPECT_THAT(
+      complaint_of_match(match + "[quest_plus]\nmax_shows_per_image = 1\n", "procedure = \"quest_plus\""),
+      HasSubstr("procedure"));
+  EXPECT_THAT(complaint_of_match(match, "procedure = \"staircase\""), HasSubstr("procedure"));
+}
+
+TEST(StudyFileTask, StaircasesStandBesideForcedChoices) {
+  const auto stairs = [](const std::string& tables) {
+    return study_with_task(tables, "procedure = \"staircase\"").task;
+  };
+  const auto of_object = stairs("");
+  ASSERT_TRUE(of_object && of_object->staircase);
+  EXPECT_EQ(of_object->kind, TaskKind::object);
+  EXPECT_EQ(*of_object->staircase, StaircaseDefinition{});
+  const auto of_pair = stairs("[task]\nkind = \"pair\"\n[staircase]\ndown = 3\nstart = [64, 4096]\n");
+  EXPECT_EQ(of_pair->kind, TaskKind::pair);
+  EXPECT_EQ(of_pair->staircase->down, 3);
+  EXPECT_EQ(of_pair->staircase->start, (std::vector<double>{64, 4096}));
+  const auto refused = [](const std::string& tables, const std::string& top = "procedure = \"staircase\"") {
+    return complaint_of_task(tables, top);
+  };
+  EXPECT_THAT(refused("[staircase]\ndown = 3\n", ""), HasSubstr("procedure"));
+  EXPECT_THAT(refused("[staircase]\nstart = [65]\n"), HasSubstr("staircase.start"));
+  EXPECT_THAT(refused("[staircase]\ndown = 0\n"), HasSubstr("staircase.down"));
+  EXPECT_THAT(refused("[task]\nkind = \"pair\"\nrepetitions = 2\n"), HasSubstr("task.repetitions"));
+  EXPECT_THAT(refused("[catch]\nreference = 9\n[task]\nkind = \"yes_no\"\n"), HasSubstr("procedure"));
 }
 
 TEST(StudyFileTask, QuestPlusKnowsTheChanceOfTheTask) {

@@ -340,6 +340,9 @@ constexpr Reference works[] = {
      "Biometrical Journal, 50(3), 346–363."},
     {"ITU-R BT.500",
      "ITU-R BT.500. Methodologies for the subjective assessment of the quality of television images."},
+    {"Levitt, 1971",
+     "Levitt, H. (1971). Transformed up-down methods in psychoacoustics. The Journal of the Acoustical "
+     "Society of America, 49(2B), 467–477."},
     {"Watson, 2017",
      "Watson, A. B. (2017). QUEST+: A general multidimensional Bayesian adaptive psychometric method. "
      "Journal of Vision, 17(3), 10."},

@@ -8,6 +8,7 @@
 #include "analysis/report/page/html_parts.h"
 #include "analysis/report/text/threshold_text.h"
 #include "stimuli/definition/parts/task_definition.h"
+#include "study/running/staircase_results.h"
 #include "support/text/html.h"
 
 namespace seamline::analysis {
@@ -108,6 +109,29 @@ std::string tracks_html(const ReportNumbers& numbers) {
                      {fmt::format("scale, {}", study::length_unit(first.axis, first.quantity)), true},
                      {"lapse", true},
                      {"alarms"}},
+                    lines);
+}
+
+std::string staircases_html(const Analysis& analysis, const LevelAxis& axis) {
+  if (!study::has_staircases(analysis.log)) return "";
+  const std::vector<study::StaircaseEstimate> estimates = study::staircase_estimates(analysis.log);
+  if (estimates.empty()) return "";
+  std::vector<std::vector<std::string>> lines;
+  for (const study::StaircaseEstimate& one : estimates)
+    lines.push_back({one.participant, one.track, one.used ? "yes" : "no", std::to_string(one.trials),
+                     std::to_string(one.reversals), one.level ? estimated_text(axis, *one.level) : "–"});
+  return fmt::format(
+             "<h3 id=\"staircases\">Staircases</h3>\n<p>Mean level of each staircase’s reversals{}, without "
+             "the first two: the {} at which {} % of the answers are right. It is not the threshold of the "
+             "functions above, which is where half is seen.</p>\n",
+             is_linear(axis) ? "" : ", on log2", level_word(axis),
+             decimal_text(100 * estimates.front().target, 1)) +
+         html_table({{"participant"},
+                     {"staircase"},
+                     {"used"},
+                     {"trials", true},
+                     {"reversals", true},
+                     {threshold_title(axis), true}},
                     lines);
 }
 
@@ -218,8 +242,8 @@ std::string psychometric_html(const Analysis& analysis, const ReportNumbers& num
         "The p of the deviance takes answers as independent, which one person’s are not: a small one says "
         "that the curve’s shape or the people differ from the model.</p>\n" +
         warnings_list(numbers);
-  return html + own_html(own_thresholds(analysis), numbers.axis) + tracks_html(numbers) +
-         detection_html(numbers);
+  return html + own_html(own_thresholds(analysis), numbers.axis) + staircases_html(analysis, numbers.axis) +
+         tracks_html(numbers) + detection_html(numbers);
 }
 
 }  // namespace seamline::analysis

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "analysis/report/tables/table_columns.h"
+#include "study/running/staircase_results.h"
 
 namespace seamline::analysis {
 
@@ -118,6 +119,30 @@ CsvTable tracks_table(const ReportNumbers& numbers) {
                           whole(track.used), whole(track.trials), track.threshold, track.low, track.high,
                           track.threshold_sd, track.scale, track.lapse, alarms});
     conditions.push_back(track.condition);
+  }
+  add_conditions(table, numbers.conditions, conditions);
+  return table;
+}
+
+CsvTable staircases_table(const Analysis& analysis, const ReportNumbers& numbers) {
+  const std::string suffix = unit_suffix(numbers.axis), unit(facts(numbers.axis.quantity).unit);
+  std::vector<std::string> conditions;
+  CsvTable table{.name = "staircases",
+                 .columns = {participant_column,
+                             artifact_column,
+                             {"staircase", "text", "what it is about, and where it began"},
+                             {"used", "0 or 1", "completed, not excluded and not a pilot"},
+                             {"trials", "count", "answers to it"},
+                             {"reversals", "count", "how often it turned"},
+                             {"level" + suffix, unit,
+                              "mean level of its reversals on the axis, without the first two; empty when it "
+                              "turned too seldom"},
+                             {"target", "share 0 to 1", "share of right answers that the level stands for"}},
+                 .rows = {}};
+  for (const study::StaircaseEstimate& one : study::staircase_estimates(analysis.log)) {
+    table.rows.push_back({one.participant, std::string(word(one.artifact)), one.track, whole(one.used),
+                          whole(one.trials), whole(one.reversals), number(one.level), one.target});
+    conditions.push_back(one.condition);
   }
   add_conditions(table, numbers.conditions, conditions);
   return table;

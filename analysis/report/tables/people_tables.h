@@ -13,4 +13,7 @@ namespace seamline::analysis {
 /// tracks.csv: a line a participant and track of an adaptive log.
 [[nodiscard]] CsvTable tracks_table(const ReportNumbers& numbers);
 
+/// staircases.csv: of a study with `procedure = "staircase"`, a row a staircase.
+[[nodiscard]] CsvTable staircases_table(const Analysis& analysis, const ReportNumbers& numbers);
+
 }  // namespace seamline::analysis

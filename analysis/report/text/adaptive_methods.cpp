@@ -7,6 +7,8 @@
 
 #include "analysis/report/text/joint_text.h"
 #include "analysis/scores/level_words.h"
+#include "stimuli/definition/parts/staircase_definition.h"
+#include "stimuli/definition/parts/task_definition.h"
 #include "stimuli/definition/procedure_definition.h"
 #include "support/running/overloaded.h"
 
@@ -133,6 +135,13 @@ std::vector<std::string> adaptive_methods(const Analysis& analysis) {
           "intervals.",
           words.Levels, function_text(*quest), grid_text(*quest, analysis.data.axis),
           stops_text(*quest, analysis.data.axis)));
+  if (study && study->task && study->task->staircase) {
+    const StaircaseDefinition& stairs = *study->task->staircase;
+    paragraphs.push_back(fmt::format(
+        "{} were placed by staircases (Levitt, 1971): {} right answers in a row led to the next level where less is "
+        "seen, {} wrong ones to the next where more is; a staircase ended after {} reversals or {} trials.",
+        words.Levels, stairs.down, stairs.up, stairs.reversals, stairs.max_trials));
+  }
   if (analysis.joint) paragraphs.push_back(group_text(analysis));
   return paragraphs;
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include "stimuli/definition/parts/staircase_definition.h"
+
 namespace seamline::inline stimuli {
 
 std::string_view word(TaskKind kind) {
@@ -16,6 +18,8 @@ std::string_view word(TaskKind kind) {
       return "yes_no";
     case TaskKind::rating:
       return "rating";
+    case TaskKind::match:
+      return "match";
   }
   return {};
 }
@@ -43,6 +47,8 @@ TaskFacts facts_of(const TaskDefinition* task) {
       return {.kind = kind, .alternatives = 2, .chance = 0, .right_is_yes = true, .rates = false};
     case TaskKind::rating:
       return {.kind = kind, .alternatives = 2, .chance = 0, .right_is_yes = true, .chooses = false};
+    case TaskKind::match:
+      return {.kind = kind, .alternatives = 3, .chance = 0, .rates = false};
   }
   return {};
 }
@@ -109,6 +115,18 @@ TaskTexts usual_texts(const TaskDefinition& task) {
                               end,
               .feedback_right = "Something was inserted into this picture.",
               .feedback_wrong = "Something was inserted into this picture."};
+    case TaskKind::match:
+      return {
+          .question = "Where is the seam just seen?",
+          .hint = "Arrow keys, the wheel, or 1 and 2 make it clearer or fainter. Enter or 3: it is just seen",
+          .instructions =
+              "An object was inserted into each picture by a computer. Something about its light, its "
+              "shadow or its edge is wrong, and you decide how much.\n\nThe left arrow key makes the "
+              "fault clearer, the right arrow key makes it fainter. Go to and fro until you see the fault "
+              "only just, then press Enter.\n\nSome pictures begin with a clear fault, others with one that "
+              "cannot be seen. If it is seen everywhere, stop where it is faintest; if it is seen nowhere, "
+              "where it is clearest.\n\nPress Esc for a pause.",
+          .answers = {"Clearer", "Fainter", "Just seen"}};
   }
   return {};
 }
@@ -120,6 +138,8 @@ std::string canonical_text(const TaskDefinition* task) {
   if (task->kind == TaskKind::interval)
     out += fmt::format("task pictures {} gap {}\n", task->pictures, task->gap_s);
   for (const std::string& label : task->labels) out += "task label " + label + "\n";
+  if (task->blocks) out += "task blocks condition\n";
+  if (task->staircase) out += canonical_text(*task->staircase);
   return out;
 }
 

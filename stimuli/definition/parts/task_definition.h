@@ -1,10 +1,13 @@
 #pragma once
 #include <array>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace seamline::inline stimuli {
+
+struct StaircaseDefinition;  // parts/staircase_definition.h
 
 /// What a trial asks.
 enum class TaskKind {
@@ -13,10 +16,12 @@ enum class TaskKind {
   interval,  ///< pictures one after another, one of them the stimulus and the others its reference: which
              ///< one?
   yes_no,    ///< one picture, the stimulus or (in catch trials) its reference: was an object inserted?
-  rating     ///< one picture, judged on five labels, with nothing to choose
+  rating,    ///< one picture, judged on five labels, with nothing to choose
+  match      ///< one picture, whose level the participant moves until the seam is just seen (adjustment)
 };
-inline constexpr std::array<TaskKind, 5> every_task_kind = {
-    TaskKind::object, TaskKind::pair, TaskKind::interval, TaskKind::yes_no, TaskKind::rating};
+inline constexpr std::array<TaskKind, 6> every_task_kind = {TaskKind::object,   TaskKind::pair,
+                                                            TaskKind::interval, TaskKind::yes_no,
+                                                            TaskKind::rating,   TaskKind::match};
 [[nodiscard]] std::string_view word(TaskKind kind);
 
 /// `[task]` of a study. A study without it asks for the object, once a stimulus, and then for a rating.
@@ -30,7 +35,10 @@ struct TaskDefinition {
   /// set.
   std::vector<std::string> answers = {};
   std::vector<std::string> labels = {};  ///< rating: five, from nothing seen to most noticeable
-  int repetitions = 1;                   ///< how often each stimulus is shown to a participant
+  /// How often each stimulus is shown to a participant; of `match` each object in each condition.
+  int repetitions = 1;
+  bool blocks = false;  ///< trials of a condition follow each other, conditions in a balanced Latin square
+  std::shared_ptr<const StaircaseDefinition> staircase = {};  ///< places the levels; null: none does
 };
 
 /// What follows from a task, in one place.
@@ -45,7 +53,13 @@ struct TaskFacts {
   bool right_is_yes = false;  ///< the first alternative is right wherever something was inserted
   bool chooses = true;        ///< there is a choice
   bool rates = true;          ///< there is a rating
+
+  /// The alternatives are steps (`MatchStep`), and nothing is right.
+  [[nodiscard]] bool adjusts() const { return kind == TaskKind::match; }
 };
+
+/// The alternatives of a task that adjusts.
+enum class MatchStep : int { clearer = 1, fainter = 2, just_seen = 3 };
 
 /// Of a study's task; null: the task of a study that names none.
 [[nodiscard]] TaskFacts facts_of(const TaskDefinition* task);

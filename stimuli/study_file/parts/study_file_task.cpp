@@ -2,9 +2,12 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <set>
+#include <utility>
 #include <variant>
 
+#include "stimuli/definition/parts/staircase_definition.h"
 #include "stimuli/definition/parts/task_definition.h"
 #include "support/text/error.h"
 
@@ -43,7 +46,8 @@ std::vector<std::string> read_answers(const TomlTable& task, const TaskDefinitio
   std::vector<std::string> usual = usual_texts(definition).answers;
   if (!task.has("answers")) return usual;
   if (usual.empty())
-    throw task.complaint("answers", "kind = \"pair\", \"interval\" or \"yes_no\" where they are set",
+    throw task.complaint("answers",
+                         "kind = \"pair\", \"interval\", \"yes_no\" or \"match\" where they are set",
                          "kind = \"" + std::string(word(definition.kind)) + "\"");
   std::vector<std::string> answers = task.texts("answers");
   const std::set<std::string> different(answers.begin(), answers.end());
@@ -62,7 +66,7 @@ TaskDefinition read_task_table(const TomlTable& table) {
   refuse_unless(table, "gap_s", interval, task.kind, "\"interval\"");
   refuse_unless(table, "labels", task.kind == TaskKind::rating, task.kind, "\"rating\"");
   refuse_unless(table, "second_question", second, task.kind, "\"object\", \"pair\" or \"interval\"");
-  refuse_unless(table, "exposure_s", task.kind != TaskKind::object, task.kind,
+  refuse_unless(table, "exposure_s", task.kind != TaskKind::object && task.kind != TaskKind::match, task.kind,
                 "\"pair\", \"interval\", \"yes_no\" or \"rating\"");
   if (interval) {
     task.pictures = table.integer("pictures", task.pictures, {2, 3, "pictures"});
@@ -73,6 +77,11 @@ TaskDefinition read_task_table(const TomlTable& table) {
   if (task.kind == TaskKind::rating) task.labels = read_task_labels(table);
   task.answers = read_answers(table, task);
   task.repetitions = table.integer("repetitions", task.repetitions, {1, 1000, "repetitions"});
+  if (table.has("blocks")) {
+    if (const std::string blocks = table.text("blocks"); blocks != "condition")
+      throw table.complaint("blocks", "\"condition\"", "\"" + blocks + "\"");
+    task.blocks = true;
+  }
   table.finish();
   return task;
 }
@@ -99,12 +108,87 @@ void check_quest_plus(const TomlTable& study, StudyDefinition& definition) {
   set_guess_of_task(study, facts, *quest);
 }
 
+StaircaseDefinition read_staircase_table(const TomlTable& table) {
+  StaircaseDefinition staircase;
+  staircase.down = table.integer("down", staircase.down, {1, 10, "answers"});
+  staircase.up = table.integer("up", staircase.up, {1, 10, "answers"});
+  staircase.reversals = table.integer("reversals", staircase.reversals, {4, 100, "reversals"});
+  staircase.max_trials = table.integer("max_trials", staircase.max_trials, {10, 1000, "trials"});
+  if (table.has("start")) staircase.start = table.numbers("start", {-1e9, 1e9, "levels"});
+  staircase.by_object = table.boolean("by_object", staircase.by_object);
+  table.finish();
+  return staircase;
+}
+
+/// `[staircase]`, which stands beside `procedure = "staircase"`; null: none.
+std::shared_ptr<const StaircaseDefinition> read_staircase(const TomlTable& study) {
+  const auto table = study.table("staircase");
+  const bool wanted = study.has("procedure") && study.text("procedure") == "staircase";
+  if (table && !wanted)
+    throw study.complaint("procedure", "\"staircase\" where there is a table [staircase]",
+                          study.has("procedure") ? "\"" + study.text("procedure") + "\"" : "nothing");
+  if (!wanted) return nullptr;
+  return std::make_shared<const StaircaseDefinition>(table ? read_staircase_table(*table)
+                                                           : StaircaseDefinition{});
+}
+
+void check_staircase(const TomlTable& study, const StudyDefinition& definition) {
+  const TaskDefinition& task = *definition.task;
+  if (!task.staircase) return;
+  if (task.repetitions > 1)
+    throw study.complaint("task.repetitions", "1 beside procedure = \"staircase\", which repeats as it needs",
+                          fmt::format("{}", task.repetitions));
+  const TaskFacts facts = facts_of(&task);
+  if (facts.right_is_yes || facts.adjusts())
+    throw study.complaint("procedure",
+                          "\"constant\" or \"quest_plus\" beside a [task] of kind = \"" +
+                              std::string(word(task.kind)) +
+                              "\": a staircase follows right and wrong answers of a forced choice",
+                          "\"staircase\"");
+  const std::vector<double>& levels = definition.level.values;
+  for (const double start : task.staircase->start)
+    if (std::find(levels.begin(), levels.end(), start) == levels.end())
+      throw study.complaint("staircase.start", "levels of the study", fmt::format("{}", start));
+  if (levels.front() <= 0 && definition.level.axis() == Axis::log2)
+    throw study.complaint("procedure", "no level \"none\" beside \"staircase\": it has no place on the axis",
+                          "\"none\" among the levels");
+  if (levels.size() < 2)
+    throw study.complaint("procedure", "at least two levels beside \"staircase\"", "one");
+}
+
+/// In a match nothing is right: what needs a right answer is refused. Practice is left out for the same
+/// reason.
+void check_match(const TomlTable& study, StudyDefinition& definition) {
+  if (definition.task->kind != TaskKind::match) return;
+  const std::string beside = " beside a [task] of kind = \"match\", in which no answer is right or wrong";
+  if (!std::holds_alternative<ConstantDefinition>(definition.procedure))
+    throw study.complaint("procedure", "\"constant\"" + beside, "\"quest_plus\"");
+  if (definition.catches.attention > 0 || definition.catches.reference > 0)
+    throw study.complaint("catch", "no catch trials" + beside, "a table [catch]");
+  const auto training = study.table("training");
+  if (training && (training->has("stimuli") || (training->has("trials") && definition.training.trials > 0)))
+    throw study.complaint("training", "no practice with feedback" + beside, "a table [training]");
+  definition.training.trials = 0;
+  const std::vector<double>& levels = definition.level.values;
+  const bool apart = definition.level.axis() == Axis::log2 && levels.front() <= 0;
+  const std::size_t rungs = levels.size() - (apart ? 1U : 0U);
+  if (rungs < 3)
+    throw study.complaint(
+        "task.kind",
+        "at least 3 levels, other than \"none\", between which a participant of a \"match\" moves",
+        fmt::format("{}", rungs));
+}
+
 /// What the study asks for beside its task, and the task cannot give.
 void check_task(const TomlTable& study, StudyDefinition& definition) {
   const TaskDefinition& task = *definition.task;
   const std::string kind = "kind = \"" + std::string(word(task.kind)) + "\"";
   const TaskFacts facts = facts_of(&task);
   check_quest_plus(study, definition);
+  check_staircase(study, definition);
+  if (definition.task->blocks && is_placed_by_answers(definition))
+    throw study.complaint("task.blocks", "none where the answers place the trials", "\"condition\"");
+  check_match(study, definition);
   if (facts.right_is_yes && definition.catches.reference == 0)
     throw study.complaint("catch.reference",
                           "at least one reference trial beside a [task] of " + kind +
@@ -125,18 +209,34 @@ void set_usual_texts(const TomlTable& study, StudyDefinition& definition) {
   if (!study.has("instructions")) definition.instructions = {{.text = texts.instructions, .pictures = {}}};
   const Phrase hint = task.kind == TaskKind::rating ? Phrase::rating_hint : Phrase::choice_hint;
   definition.texts.try_emplace(hint, texts.hint);
+  if (texts.feedback_right.empty()) return;
   if (!says("training", "feedback_right")) definition.training.feedback_right = texts.feedback_right;
   if (!says("training", "feedback_wrong")) definition.training.feedback_wrong = texts.feedback_wrong;
+}
+
+/// Of a study that names staircases alone it is the paper's question, with them.
+std::shared_ptr<const TaskDefinition> read_task_of(const TomlTable& study) {
+  const auto table = study.table("task");
+  const std::shared_ptr<const StaircaseDefinition> staircase = read_staircase(study);
+  if (!table && !staircase) return nullptr;
+  TaskDefinition task = table ? read_task_table(*table) : TaskDefinition{};
+  task.staircase = staircase;
+  return std::make_shared<const TaskDefinition>(std::move(task));
 }
 
 }  // namespace
 
 void read_task(const TomlTable& study, StudyDefinition& definition) {
-  const auto table = study.table("task");
-  if (!table) return;
-  definition.task = std::make_shared<const TaskDefinition>(read_task_table(*table));
+  const std::shared_ptr<const TaskDefinition> task = read_task_of(study);
+  if (!task) return;
+  definition.task = task;
   check_task(study, definition);
   set_usual_texts(study, definition);
+}
+
+bool is_placed_by_answers(const StudyDefinition& study) {
+  return std::holds_alternative<QuestPlusDefinition>(study.procedure) ||
+         (study.task && study.task->staircase);
 }
 
 void check_task_alone(const TomlTable& study, const StudyDefinition& definition) {
@@ -144,6 +244,9 @@ void check_task_alone(const TomlTable& study, const StudyDefinition& definition)
   bool turns = definition.look != nullptr;
   for (const ConditionDefinition& condition : definition.conditions)
     turns = turns || condition.look != nullptr;
+  if (definition.task->blocks && definition.conditions.size() < 2)
+    throw study.complaint("task.blocks", "at least two [[condition]] to make blocks of",
+                          fmt::format("{}", definition.conditions.size()));
   if (definition.clip) throw study.complaint("clip", "stills beside a [task]", "a table [clip]");
   if (turns) throw study.complaint("look", "whole pictures beside a [task]", "a table [look]");
 }
@@ -151,19 +254,20 @@ void check_task_alone(const TomlTable& study, const StudyDefinition& definition)
 void require_papers_task(const StudyDefinition& study, const std::string& command) {
   const TaskFacts facts = facts_of(study.task.get());
   const bool repeats = study.task && study.task->repetitions > 1;
-  if (facts.kind == TaskKind::object && facts.rates && !repeats) return;
+  const bool stairs = study.task && study.task->staircase;
+  if (facts.kind == TaskKind::object && facts.rates && !repeats && !stairs) return;
   throw input_error({.file = study.file.string(),
                      .field = "task",
                      .wanted = "no [task] (`" + command +
                                "` simulates one choice among three objects a stimulus, with a rating)",
                      .found = "kind = \"" + std::string(word(facts.kind)) + "\"" +
-                              (repeats ? fmt::format(", repetitions = {}", study.task->repetitions) : "")});
+                              (repeats ? fmt::format(", repetitions = {}", study.task->repetitions) : "") +
+                              (stairs ? ", procedure = \"staircase\"" : "")});
 }
 
 std::shared_ptr<const TaskDefinition> read_task_text(const std::string& text,
                                                      const std::filesystem::path& said_to_be) {
-  const auto table = TomlTable::parse(text, said_to_be).table("task");
-  return table ? std::make_shared<const TaskDefinition>(read_task_table(*table)) : nullptr;
+  return read_task_of(TomlTable::parse(text, said_to_be));
 }
 
 }  // namespace seamline::inline stimuli

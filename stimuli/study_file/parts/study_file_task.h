@@ -8,14 +8,17 @@
 
 namespace seamline::inline stimuli {
 
-/// Reads `[task]` of a study into `definition.task`, and gives question, instructions and feedback the task's
-/// own words where the file says nothing of them. Call it once session, catch trials, procedure and what
-/// people are told are read. Throws InputError where a key has no meaning for the task, or the study asks for
-/// something that the task cannot give.
+/// Reads `[task]` and `[staircase]` of a study into `definition.task`, and gives question, instructions and
+/// feedback the task's own words where the file says nothing of them. Call it once session, catch trials,
+/// procedure and what people are told are read. Throws InputError where a key has no meaning for the task, or
+/// the study asks for something that the task cannot give.
 void read_task(const TomlTable& study, StudyDefinition& definition);
 
+/// Whether the levels of trials follow the answers before them (QUEST+, or staircases).
+[[nodiscard]] bool is_placed_by_answers(const StudyDefinition& study);
+
 /// Throws InputError where a study with a task has clips or views that turn, which no task but the paper's
-/// knows.
+/// knows, or blocks of conditions without any. Call it once conditions are read.
 void check_task_alone(const TomlTable& study, const StudyDefinition& definition);
 
 /// The task of a study file's text, as a log keeps it; null: it names none. Looks at nothing else.

@@ -4,6 +4,8 @@
 
 #include "stimuli/definition/looks/study_look.h"
 #include "stimuli/definition/moving/clip_definition.h"
+#include "study/trials/level_ladders.h"
+#include "study/trials/participant_trials.h"
 #include "study/trials/right_rule.h"
 #include "study/trials/trial_picture.h"
 
@@ -15,12 +17,21 @@ const std::string& truth_of(const RenderedSet& set, const Trial& trial) {
   return stimuli::truth_of(set.manifest.stimuli.at(static_cast<std::size_t>(trial.stimulus)).stimulus);
 }
 
+/// How many pictures are held: of the trial before, the one that is due and the next.
+std::size_t slots_of(const RenderedSet& set, const LevelLadders* ladders) {
+  if (ladders == nullptr) return facts_of(set.study.task.get()).draws_right ? 6 : 3;
+  std::size_t longest = 0;
+  for (const std::vector<int>& ladder : ladders->ladders) longest = std::max(longest, ladder.size());
+  return 2 * longest;
+}
+
 }  // namespace
 
 PictureStore::PictureStore(const RenderedSet& set, bool scaled)
     : set_(set),
       scaled_(scaled),
-      slots_(facts_of(set.study.task.get()).draws_right ? 6U : 3U),
+      ladders_(make_trial_rules(set).ladders),
+      slots_(slots_of(set, ladders_.get())),
       loader_([&set](const Trial& trial) { return load_trial_picture(set, trial); }) {
   std::map<std::string, bool> two_eyes;
   for (const SceneDefinition& scene : list_truths(set.study))
@@ -38,8 +49,7 @@ PictureStore::PictureStore(const RenderedSet& set, bool scaled)
 }
 
 void PictureStore::prepare(const Trial& due, const std::optional<Trial>& after) {
-  const TaskFacts task = facts_of(set_.study.task.get());
-  const std::vector<Trial> shown = shown_pictures(task, due);
+  const std::vector<Trial> shown = pictures_of(due);
   std::vector<Trial> wanted;
   const auto want = [&](const std::vector<Trial>& pictures) {
     for (const Trial& picture : pictures)
@@ -47,7 +57,7 @@ void PictureStore::prepare(const Trial& due, const std::optional<Trial>& after) 
         wanted.push_back(picture);
   };
   want(shown);
-  if (after) want(shown_pictures(task, *after));
+  if (after) want(pictures_of(*after));
   loader_.want(wanted);
   for (Slot& slot : slots_)
     if (slot.trial && std::find(shown.begin(), shown.end(), *slot.trial) != shown.end()) slot.used = ++clock_;
@@ -67,6 +77,11 @@ void PictureStore::fetch(const Trial& trial) {
 PictureStore::Slot& PictureStore::oldest_slot() {
   return *std::min_element(slots_.begin(), slots_.end(),
                            [](const Slot& a, const Slot& b) { return a.used < b.used; });
+}
+
+std::vector<Trial> PictureStore::pictures_of(const Trial& trial) const {
+  return ladders_ ? pictures_of_ladder(*ladders_, trial)
+                  : shown_pictures(facts_of(set_.study.task.get()), trial);
 }
 
 const Texture* PictureStore::find(const Trial& trial) const {

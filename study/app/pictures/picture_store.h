@@ -12,6 +12,10 @@
 #include "study/trials/rendered_set.h"
 #include "window/texture.h"
 
+namespace seamline::study {
+struct LevelLadders;  // study/trials/level_ladders.h
+}
+
 namespace seamline::study::app {
 
 /// The pictures of trials in graphics memory: those of at most three trials (previous, current, next),
@@ -25,6 +29,9 @@ class PictureStore {
   /// Has what the trial that is due and the one after it show decoded, and puts what is decoded into
   /// textures. Throws InputError when a picture cannot be read.
   void prepare(const Trial& due, const std::optional<Trial>& after);
+
+  /// The pictures that a trial shows; of a match those among which it moves.
+  [[nodiscard]] std::vector<Trial> pictures_of(const Trial& trial) const;
 
   /// A picture when it is ready to be shown.
   [[nodiscard]] const Texture* find(const Trial& trial) const;
@@ -50,7 +57,8 @@ class PictureStore {
 
   const RenderedSet& set_;
   bool scaled_;
-  std::vector<Slot> slots_;  ///< three, or six of tasks that show two different pictures
+  std::shared_ptr<const LevelLadders> ladders_;  ///< of a match
+  std::vector<Slot> slots_;  ///< three, or six of tasks that show two different pictures, or two ladders
   std::int64_t clock_ = 0;
   std::map<std::string, std::vector<ObjectMap>> objects_;  ///< by scene; of each frame of a clip
   std::optional<Trial> playing_ = {};

@@ -81,6 +81,35 @@ Outcome choose_answer(const TaskTrial& trial) {
   return Event(ObjectChosen{chosen, stage.input.now_ns});
 }
 
+/// What the keyboard or the wheel asks of a match. Arrows step also while they are held down; Enter and Space
+/// use the button that Tab has put the keyboard on, else they end the match.
+std::optional<MatchStep> step_of_input(const Stage& stage) {
+  const FrameInput& input = stage.input;
+  if (input.pressed(Key::left) || input.pressed(Key::up) || input.scrolled_lines > 0)
+    return MatchStep::clearer;
+  if (input.pressed(Key::right) || input.pressed(Key::down) || input.scrolled_lines < 0)
+    return MatchStep::fainter;
+  if (uses_focus(stage) && stage.drafts.trial_focus < 0) return MatchStep::just_seen;
+  return std::nullopt;
+}
+
+/// A step of a match, or its end. The arrows are the steps here: Tab alone moves the keyboard's place.
+Outcome adjust(const TaskTrial& trial) {
+  Stage& stage = trial.stage;
+  std::optional<MatchStep> step = step_of_input(stage);
+  const int focus = stage.drafts.trial_focus;
+  int chosen = 1 + ask_row(trial, {.id = "answer",
+                                   .question = stage.set.study.session.question,
+                                   .hint = Phrase::choice_hint,
+                                   .labels = stage.set.study.task->answers});
+  if (step) {
+    chosen = static_cast<int>(*step);
+    stage.drafts.trial_focus = focus;
+  }
+  if (chosen == 0) return std::nullopt;
+  return Event(ObjectChosen{chosen, stage.input.now_ns});
+}
+
 /// The labels of a task with nothing to choose: rating 0 is the first. After a choice, which stands, how
 /// noticeable was it? The first is then rating 1.
 Outcome rate(const TaskTrial& trial, bool after_choice) {
@@ -102,8 +131,9 @@ Outcome ask(const Session& session, const TaskTrial& trial, const Trial& due, st
   Stage& stage = trial.stage;
   const std::int64_t now_ns = monotonic_ns();
   if (is_picture_seen(session.pace.task, onset_ns, now_ns + next_frame_ns(stage.display)))
-    show_pictures(stage, trial.place, due, 0);
+    show_pictures(stage, trial.place, picture_on_screen(session).value_or(due), 0);
   if (now_ns < onset_ns + session.pace.minimum_viewing_ns) return std::nullopt;
+  if (session.pace.task.facts.adjusts()) return adjust(trial);
   if (std::holds_alternative<Choosing>(session.phase)) return choose_answer(trial);
   return rate(trial, session.pace.task.facts.chooses);
 }
@@ -115,7 +145,7 @@ bool asks_for_alternatives(const RenderedSet& set) {
 }
 
 bool pictures_are_ready(const Stage& stage, const Trial& trial) {
-  const std::vector<Trial> shown = shown_pictures(task_of(stage.set), trial);
+  const std::vector<Trial> shown = stage.pictures.pictures_of(trial);
   return std::all_of(shown.begin(), shown.end(),
                      [&](const Trial& one) { return stage.pictures.find(one) != nullptr; });
 }

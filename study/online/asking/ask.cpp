@@ -116,6 +116,11 @@ void ask(const AskRequest& request, const LineSource& hear_line, const LineSink&
   const RenderedSet set = fs::is_directory(request.source, error) ? load_rendered_set(request.source)
                                                                   : unrendered_set(request.source);
   const TrialRules rules = make_trial_rules(set);
+  if (rules.task.adjusts())
+    throw input_error({.file = request.source.string(),
+                       .field = "task.kind",
+                       .wanted = "a task whose questions are answered by a choice",
+                       .found = "\"match\", in which the participant moves the level"});
   LogWriter log(request.log, set);
   const Enrolment enrolment{.code = request.participant, .pilot = request.pilot};
   check_may_ask(log.find(enrolment), request);

@@ -192,7 +192,7 @@ bool Intake::enrol_elsewhere(const Message& message, const std::string& content)
   const int orders = set_.study.session.orders > 0 ? set_.study.session.orders : most_own_orders;
   if (body.origin == Origin::serve)
     throw wrong("body.origin", "static or jatos (a server enrols its own)", "serve");
-  if (rules_.quest_plus)
+  if (rules_.is_adaptive())
     throw wrong("body.origin", "serve, since the study places trials by the answers",
                 std::string(word(body.origin)));
   if (body.slot < 0 || body.slot >= orders)
@@ -256,7 +256,7 @@ Whereabouts Intake::where(const std::string& code) {
 
 std::optional<std::pair<int, Trial>> Intake::next_trial(const std::string& code) {
   Person& who = participant(code);
-  if (!rules_.quest_plus)
+  if (!rules_.is_adaptive())
     throw wrong("seamline", "a study that places trials by the answers", "one whose orders are fixed");
   if (who.stored.place.completed) return std::nullopt;
   const std::optional<Trial> due = current_trial(sequence_of(who));

@@ -135,6 +135,8 @@ class Intake {
   void store(Person& person, const EventBody& body);
   void store_completion(Person& person);
   void check_shown(const Trial& planned, const PictureAnswer& answer, const std::string& which) const;
+  [[nodiscard]] int matched_stimulus(const Trial& planned, const PictureAnswer& answer,
+                                     const std::string& which) const;
   TrialSequence& sequence_of(Person& person);
   [[nodiscard]] static std::int64_t time_of(const Person& person);
 

@@ -4,6 +4,7 @@
 
 #include "study/online/intake/intake.h"
 #include "study/running/participant_session.h"
+#include "study/trials/level_ladders.h"
 #include "support/running/overloaded.h"
 
 // What each kind of message becomes in the log, and what of it is refused.
@@ -96,6 +97,15 @@ void Intake::check_shown(const Trial& planned, const PictureAnswer& answer, cons
                  fmt::format("{} {}", word(answer.kind), in_quotes(answer.stimulus_id)));
 }
 
+/// The picture of the trial's ladder that the answer names: where a participant stopped in a match.
+int Intake::matched_stimulus(const Trial& planned, const PictureAnswer& answer,
+                             const std::string& which) const {
+  for (const Trial& picture : pictures_of_ladder(*rules_.ladders, planned))
+    if (answer.kind == picture.kind && names_.is_name_of(picture, answer.stimulus_id, known_names_))
+      return picture.stimulus;
+  throw conflict(which, "a picture between which this trial moves", in_quotes(answer.stimulus_id));
+}
+
 void Intake::store(Person& who, const TrainingBody& body) {
   const std::string which = fmt::format("training_index {}", body.training_index);
   if (body.training_index >= static_cast<int>(script_.training.size()))
@@ -118,11 +128,13 @@ void Intake::store(Person& who, const AnswerBody& body) {
   if (body.trial_index >= static_cast<int>(stored.place.trials.size()))
     throw conflict(which, fmt::format("one of {} planned trials", stored.place.trials.size()),
                    "one that is not planned");
-  check_shown(stored.place.trials[static_cast<std::size_t>(body.trial_index)], body.answer, which);
-  if (rules_.quest_plus && body.trial_index != stored.place.answered)
+  const Trial& planned = stored.place.trials[static_cast<std::size_t>(body.trial_index)];
+  if (!rules_.ladders) check_shown(planned, body.answer, which);
+  if (rules_.is_adaptive() && body.trial_index != stored.place.answered)
     throw conflict(which, fmt::format("the trial that is due, {}", stored.place.answered), "another one");
-  const TrialAnswer answer = answer_of(body.trial_index, body.answer);
-  if (rules_.quest_plus) {
+  TrialAnswer answer = answer_of(body.trial_index, body.answer);
+  if (rules_.ladders) answer.matched = matched_stimulus(planned, body.answer, which);
+  if (rules_.is_adaptive()) {
     TrialSequence& sequence = sequence_of(who);  // before the answer is among those it is made of
     sequence = after_answer(std::move(sequence), answer);
   }
@@ -130,6 +142,8 @@ void Intake::store(Person& who, const AnswerBody& body) {
 }
 
 void Intake::store(Person& who, const EventBody& body) {
+  if (body.kind == "matched")
+    throw wrong("body.kind", "a raw event; where a match stopped comes with its answer", "\"matched\"");
   const RawEvent event{.monotonic_ns = body.monotonic_ns,
                        .kind = body.kind,
                        .trial_index = body.trial_index,
@@ -140,8 +154,8 @@ void Intake::store(Person& who, const EventBody& body) {
 void Intake::store_completion(Person& who) {
   const OpenSession& place = who.stored.place;
   if (place.completed) throw conflict("kind", "one completion", "another one");
-  const bool over = rules_.quest_plus ? !current_trial(sequence_of(who))
-                                      : place.answered == static_cast<int>(place.trials.size());
+  const bool over = rules_.is_adaptive() ? !current_trial(sequence_of(who))
+                                         : place.answered == static_cast<int>(place.trials.size());
   if (!over)
     throw conflict("kind", "a completion when every trial is answered",
                    fmt::format("{} of {} answered", place.answered, place.trials.size()));

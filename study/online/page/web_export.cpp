@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "stimuli/study_file/parts/study_file_task.h"
 #include "stimuli/study_file/people/study_file_language.h"
 #include "study/online/page/web_study.h"
 #include "study/trials/study_languages.h"
@@ -46,13 +47,14 @@ void check_request(const RenderedSet& set, const WebRequest& request) {
                              "\"mono\" or \"anaglyph\": a page in a browser does not know where on which "
                              "screen its pixels are (the window does: seamline study SET --participant)",
                          .found = "\"" + std::string(word(scene.view.kind)) + "\""});
-  const bool adaptive = std::holds_alternative<QuestPlusDefinition>(set.study.procedure);
+  const bool adaptive = is_placed_by_answers(set.study);
   if (adaptive && request.host != Origin::serve)
-    throw input_error({.file = study_file_name(set),
-                       .field = "procedure",
-                       .wanted = "constant stimuli, because a static host or JATOS cannot place trials (with "
-                                 "--serve `seamline serve` will)",
-                       .found = "\"quest_plus\""});
+    throw input_error(
+        {.file = study_file_name(set),
+         .field = "procedure",
+         .wanted = "constant stimuli, because a static host or JATOS cannot place trials (with "
+                   "--serve `seamline serve` will)",
+         .found = set.study.task && set.study.task->staircase ? "\"staircase\"" : "\"quest_plus\""});
   if (set.study.recruitment && request.host != Origin::serve)
     throw input_error({.file = study_file_name(set),
                        .field = "recruitment",
@@ -194,9 +196,10 @@ WebSummary export_web(const WebRequest& request) {
   const ShownNames names(set);
   const WebPictures pictures = add_pictures(set, names, files);
   const int slots = slots_of(set, request);
-  for (int slot = 0; !rules.quest_plus && slot < slots; ++slot) {
+  for (int slot = 0; !rules.is_adaptive() && slot < slots; ++slot) {
     stop_if_interrupted();
-    files.add(order_file(slot), order_text({names, pictures, rules.task}, decided_trials(rules, slot, {})));
+    files.add(order_file(slot), order_text({names, pictures, rules.task, rules.ladders.get()},
+                                           decided_trials(rules, slot, {})));
   }
   const std::string font = add_font(set, set.study.session.font, files);
   const std::vector<std::vector<std::string>> instructions = add_instruction_pictures(set, files);
@@ -211,8 +214,8 @@ WebSummary export_web(const WebRequest& request) {
                      .font = font,
                      .instruction_files = instructions};
   WebSummary summary{.slots = slots,
-                     .adaptive = rules.quest_plus != nullptr,
-                     .guessable_orders = !rules.quest_plus && set.study.seed < least_secret_seed,
+                     .adaptive = rules.is_adaptive(),
+                     .guessable_orders = !rules.is_adaptive() && set.study.seed < least_secret_seed,
                      .pictures = static_cast<int>(pictures.map.size())};
   for (const StudyTexts& texts : whole_languages(set.study)) {
     const StudyDefinition read = in_language(set.study, texts);

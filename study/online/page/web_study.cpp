@@ -12,6 +12,7 @@
 #include "stimuli/definition/people/language_definition.h"
 #include "stimuli/definition/people/recruitment_definition.h"
 #include "study/online/page/web_format.h"
+#include "study/trials/level_ladders.h"
 #include "study/trials/right_rule.h"
 #include "study/trials/trial_picture.h"
 #include "study/visit/visit_script.h"
@@ -28,11 +29,18 @@ Json trial_json(const ShownNames& names, const WebPictures& pictures, const Tria
           {"picture", pictures.file.at({trial.kind, trial.stimulus})}};
 }
 
-/// With the pictures that the trial shows, where these are several: nothing else says which is right.
+/// With the pictures that the trial shows, where these are several: nothing else says which is right. Of a
+/// match those of its ladder, their names, and with which it begins.
 Json trial_json(const WebParts& parts, const Trial& trial) {
   Json json = trial_json(parts.names, parts.pictures, trial);
-  const std::vector<Trial> shown = shown_pictures(parts.task, trial);
+  const std::vector<Trial> shown = parts.ladders != nullptr ? pictures_of_ladder(*parts.ladders, trial)
+                                                            : shown_pictures(parts.task, trial);
   if (shown.size() < 2) return json;
+  if (parts.ladders != nullptr) {
+    json["start"] = parts.ladders->places.at(static_cast<std::size_t>(trial.stimulus)).rung;
+    json["names"] = Json::array();
+    for (const Trial& one : shown) json["names"].push_back(parts.names.name_of(one));
+  }
   json["pictures"] = Json::array();
   for (const Trial& one : shown) json["pictures"].push_back(parts.pictures.file.at({one.kind, one.stimulus}));
   json["picture"] = json["pictures"].front();
@@ -40,11 +48,13 @@ Json trial_json(const WebParts& parts, const Trial& trial) {
 }
 
 Json task_json(const StudyDefinition& study, const SessionTask& task) {
-  return {{"kind", word(task.facts.kind)},   {"alternatives", task.facts.alternatives},
-          {"pictures", task.facts.pictures}, {"exposure_ns", task.exposure_ns},
-          {"gap_ns", task.gap_ns},           {"chooses", task.facts.chooses},
-          {"rates", task.facts.rates},       {"pair_gap_px", pair_gap_px},
-          {"answers", study.task->answers},  {"labels", study.task->labels}};
+  Json json = {{"kind", word(task.facts.kind)},   {"alternatives", task.facts.alternatives},
+               {"pictures", task.facts.pictures}, {"exposure_ns", task.exposure_ns},
+               {"gap_ns", task.gap_ns},           {"chooses", task.facts.chooses},
+               {"rates", task.facts.rates},       {"pair_gap_px", pair_gap_px},
+               {"answers", study.task->answers},  {"labels", study.task->labels}};
+  if (task.facts.adjusts()) json["adjusts"] = true;
+  return json;
 }
 
 Json texts_json(const StudyDefinition& study) {
@@ -196,7 +206,7 @@ std::string web_study_text(const WebStudy& web) {
       {"language", study.session.language},
       {"host", word(web.host)},
       {"pilot", web.pilot},
-      {"adaptive", web.rules.quest_plus != nullptr},
+      {"adaptive", web.rules.is_adaptive()},
       {"slots", web.slots},
       {"orders", order_file(0)},
       {"most_trials", most_trials_of_a_participant(web.rules)},

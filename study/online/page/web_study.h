@@ -42,6 +42,7 @@ struct WebParts {
   const ShownNames& names;
   const WebPictures& pictures;
   const TaskFacts& task;
+  const LevelLadders* ladders = nullptr;  ///< of a match
 };
 
 /// `orders/SLOT.json`: the trials of a slot, as the window has them.

@@ -5,7 +5,7 @@ import { unpackMap } from "./core/place.js";
 import { openClip } from "./clips.js";
 import { sha256 } from "./hash.js";
 
-const MOST_DECODED = 6; // a trial may show two, and the next one two others
+const FEWEST_DECODED = 6; // a trial may show two, and the next one two others
 
 async function isRight(bytes, wanted) {
   if (bytes.byteLength !== wanted.bytes) return false;
@@ -41,6 +41,7 @@ export function makePictures(known, plays, { away, progress, failed }) {
   let queue = [];
   let loading = null;
 
+  let most = FEWEST_DECODED;
   const coming = new Map(); // those on their way: nothing is fetched twice
 
   function load(file) {
@@ -74,7 +75,7 @@ export function makePictures(known, plays, { away, progress, failed }) {
     decoded.delete(file);
     decoded.set(file, image);
     for (const [oldest, old] of decoded) {
-      if (decoded.size <= MOST_DECODED) break;
+      if (decoded.size <= most) break;
       old.release();
       decoded.delete(oldest);
     }
@@ -102,6 +103,10 @@ export function makePictures(known, plays, { away, progress, failed }) {
       await load(file);
       const image = await decode(bytes.get(file));
       return { image: use(file, image), map: maps.get(facts.get(file).map) };
+    },
+    /** Trials of so many pictures: those of one and of the next stay decoded. */
+    keep(count) {
+      most = Math.max(most, 2 * count);
     },
     isDecoded: (file) => decoded.has(file),
     count: () => ({ done: bytes.size, all: facts.size }),

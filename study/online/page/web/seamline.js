@@ -437,7 +437,7 @@ class Study {
 
 const whatWasAnswered = ({ trial, answer }) => ({
   kind: trial.kind,
-  stimulus_id: trial.stimulus_id,
+  stimulus_id: answer.stimulus_id ?? trial.stimulus_id, // of a match, the picture at which it ended
   chosen_index: answer.chosen_index,
   rating: answer.rating,
   choice_ns: answer.choice_ns,

@@ -49,10 +49,24 @@ function afterChoice(phase, event, session) {
   const pace = session.pace;
   if (event.type === "picture_taken") return beforeImage(pace);
   if (event.type !== "object_chosen" || !isChoice(event, phase.onset_ns, pace)) return phase;
+  if (taskOf(pace).adjusts) return afterStep(phase, event, session);
   const chosen = { chosen_index: event.index, choice_ns: event.now_ns - phase.onset_ns };
   if (taskOf(pace).rates) return { name: "rating", onset_ns: phase.onset_ns, ...chosen };
   const answer = { trial_index: session.trials.answered, ...chosen, rating: 1, rating_ns: chosen.choice_ns };
   return { name: "storing", answer };
+}
+
+/** A match: a step to a picture where more (1) or less (2) is seen, or the end (3), at the picture that is on the screen. */
+function afterStep(phase, event, session) {
+  const trial = currentTrial(session.trials);
+  const at = phase.picture ?? trial.start;
+  if (event.index < 3) {
+    const moved = at + (event.index === 1 ? -1 : 1);
+    return { ...phase, picture: moved >= 0 && moved < trial.pictures.length ? moved : at };
+  }
+  const choice_ns = event.now_ns - phase.onset_ns;
+  const answer = { trial_index: session.trials.answered, chosen_index: event.index, choice_ns, rating: 1, rating_ns: choice_ns };
+  return { name: "storing", answer: { ...answer, stimulus_id: trial.names[at] } };
 }
 
 /** The answer of a task without a choice: whether anything was seen is the rating's to say. */

@@ -60,6 +60,10 @@ function makeStage(app, display) {
   return stage;
 }
 
+const WHEEL_REST_MS = 120; // a touchpad sends many turns of the wheel for one stroke
+// What a key of a match does: 1 clearer, 2 fainter, 3 it is just seen.
+const STEPS = { ArrowLeft: 1, ArrowUp: 1, ArrowRight: 2, ArrowDown: 2, Enter: 3, " ": 3 };
+
 /** The files that a trial shows: one, or several side by side or one after another. */
 const picturesOf = (trial) => trial.pictures ?? [trial.picture];
 const picturesReady = (app, trial) => Promise.all(picturesOf(trial).map((file) => app.pictures.ready(file)));
@@ -117,7 +121,8 @@ export function drawTaskTrial(app, display, isPractice) {
   /** Which of the trial's pictures is seen, from 0; -1: none. */
   function shownPicture(now, answering) {
     if (now.name === "viewing") return now.picture;
-    if (now.name === "awaiting" && shownWith !== null) return now.picture ?? 0;
+    if (now.name === "awaiting" && shownWith !== null) return now.picture ?? trial.start ?? 0;
+    if (answering && task.adjusts) return now.picture ?? trial.start;
     if (answering && isPictureSeen(task, now.onset_ns, whenSeen(performance.now()))) return 0;
     return -1;
   }
@@ -190,7 +195,15 @@ export function drawTaskTrial(app, display, isPractice) {
     const next = at < 0 ? (back ? places.length - 1 : 0) : (at + (back ? places.length - 1 : 1)) % places.length;
     places[next].focus();
   }
+  /** A match: arrows step (also while they are held down), Enter and Space end it. */
+  const stepKey = (key) => STEPS[key] ?? 0;
   const onKey = (event) => {
+    const step = task.adjusts && !event.ctrlKey && !event.metaKey && !event.altKey ? stepKey(event.key) : 0;
+    const onButton = step === 3 && ratings.includes(document.activeElement); // which then is clicked
+    if (step > 0 && !onButton && phase().name === "choosing" && !stage.questions.hidden && app.guard.problem() === null) {
+      if (step < 3 || !event.repeat) choose(step, event);
+      return event.preventDefault();
+    }
     if (event.repeat || event.ctrlKey || event.metaKey || event.altKey || stage.questions.hidden) return;
     if (app.guard.problem() !== null) return;
     const digit = /^[1-9]$/.test(event.key) ? Number(event.key) : 0;
@@ -206,6 +219,15 @@ export function drawTaskTrial(app, display, isPractice) {
     stage.layOut();
     if (ratings.length > 0) tightenRow(stage);
   };
+  let wheeled_ms = 0;
+  /** A match: the wheel steps, towards the person to where less is seen. */
+  const onWheel = (event) => {
+    if (!task.adjusts || phase().name !== "choosing" || stage.questions.hidden || app.guard.problem() !== null) return;
+    if (event.deltaY === 0 || event.ctrlKey || event.timeStamp - wheeled_ms < WHEEL_REST_MS) return;
+    wheeled_ms = event.timeStamp;
+    choose(event.deltaY < 0 ? 1 : 2, event);
+  };
+  stage.node.addEventListener("wheel", onWheel, { passive: true });
   stage.node.addEventListener("pointerdown", onPress);
   document.addEventListener("keydown", onKey);
   const stopWatching = app.screen.onChange(layOut);
@@ -215,6 +237,7 @@ export function drawTaskTrial(app, display, isPractice) {
   const ahead = trialsAhead(session().trials);
   const all = [...ahead, ...(isPractice ? trialsAhead(app.visit.session.trials) : [])];
   app.pictures.want(all.flatMap(picturesOf));
+  app.pictures.keep(picturesOf(trial).length);
   const loadingWords = setTimeout(() => app.showLoading(true), 400);
   picturesReady(app, trial).then((ready) => {
     clearTimeout(loadingWords);

@@ -1,0 +1,103 @@
+#include "study/running/staircase_results.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "stimuli/definition/parts/task_definition.h"
+#include "stimuli/study_file/study_file.h"
+#include "study/trials/participant_trials.h"
+#include "support/text/error.h"
+
+namespace seamline::study {
+namespace {
+
+std::string name_of_staircase(const StaircaseCurve& curve, double start) {
+  std::string name(word(curve.artifact));
+  for (const std::string& part : {curve.scene, curve.object, curve.condition})
+    if (!part.empty()) name += " " + part;
+  return name + fmt::format(" from {:g}", start);
+}
+
+}  // namespace
+
+bool has_staircases(const LogContents& log) {
+  return log.task && log.task->staircase;
+}
+
+std::vector<StaircaseEstimate> staircase_estimates(const LogContents& log) {
+  if (!has_staircases(log))
+    throw input_error({.file = log.file.string(),
+                       .field = "procedure",
+                       .wanted = "a study with procedure = \"staircase\"",
+                       .found = "another one"});
+  const StudyDefinition study = read_study_text(log.study_text, log.file);
+  const std::vector<Stimulus> stimuli = list_stimuli(study);
+  const auto design = std::make_shared<const StaircaseDesign>(
+      make_staircase_design(*log.task->staircase, study.level.noticeability, stimuli));
+  std::map<std::string, int> number_of;
+  for (std::size_t i = 0; i < stimuli.size(); ++i) number_of[stimulus_id(stimuli[i])] = static_cast<int>(i);
+  std::map<std::string, std::vector<StaircaseAnswer>> answers_of;
+  for (const Answer& answer : log.answers) {
+    const auto found = number_of.find(answer.stimulus_id);
+    if (found == number_of.end())
+      throw input_error({.file = log.file.string(),
+                         .field = "stimuli",
+                         .wanted = "a stimulus of the study",
+                         .found = "\"" + answer.stimulus_id + "\""});
+    answers_of[answer.participant].push_back({.stimulus = found->second, .correct = answer.correct()});
+  }
+  const double target = staircase_target(design->definition);
+  const Axis axis = facts(study.level.quantity).axis;
+  std::vector<StaircaseEstimate> estimates;
+  for (const ParticipantRecord& participant : log.participants) {
+    const StaircaseProcedure procedure =
+        resume_staircases(begin_staircases(design, participant_seed(study.seed, participant.slot)),
+                          answers_of[participant.code], std::nullopt);
+    for (std::size_t i = 0; i < procedure.stairs.size(); ++i) {
+      const StaircaseDesign::Start& start = design->starts[i];
+      const StaircaseCurve& curve = design->curves[static_cast<std::size_t>(start.curve)];
+      const Staircase& stairs = procedure.stairs[i];
+      const double from = curve.levels[static_cast<std::size_t>(start.level)];
+      const std::optional<double> mean = reversals_mean(stairs, curve, axis);
+      estimates.push_back(
+          {.participant = participant.code,
+           .artifact = curve.artifact,
+           .condition = curve.condition,
+           .track = name_of_staircase(curve, from),
+           .used = participant.completed && !participant.excluded && !participant.pilot,
+           .start = from,
+           .trials = stairs.answered,
+           .reversals = static_cast<int>(stairs.reversals.size()),
+           .by_reversals = static_cast<int>(stairs.reversals.size()) >= design->definition.reversals,
+           .level = mean ? std::optional(axis == Axis::log2 ? std::exp2(*mean) : *mean) : std::nullopt,
+           .target = target});
+    }
+  }
+  return estimates;
+}
+
+std::string staircases_text(const std::vector<StaircaseEstimate>& estimates) {
+  std::size_t code = 11, name = 9;
+  for (const StaircaseEstimate& one : estimates) {
+    code = std::max(code, one.participant.size());
+    name = std::max(name, one.track.size());
+  }
+  std::string text =
+      estimates.empty()
+          ? ""
+          : fmt::format(
+                "Mean level of the reversals (without the first two): answered rightly in {:.1f} %.\n",
+                100 * estimates.front().target);
+  text += fmt::format("{:<{}}  {:<{}}  {:<4}  {:>6}  {:>9}  level\n", "participant", code, "staircase", name,
+                      "used", "trials", "reversals");
+  for (const StaircaseEstimate& one : estimates)
+    text += fmt::format("{:<{}}  {:<{}}  {:<4}  {:>6}  {:>9}  {}\n", one.participant, code, one.track, name,
+                        one.used ? "yes" : "no", one.trials, one.reversals,
+                        one.level ? fmt::format("{:.4g}", *one.level) : "-");
+  return text;
+}
+
+}  // namespace seamline::study
