@@ -22,7 +22,7 @@ JointAnalysis analyze_jointly(const GuessTrials& trials, const NoticeabilityData
   analysis.thresholds = joint_thresholds(analysis.fit, analysis.data, analysis.left_out);
   if (!analysis.fit.estimated()) return analysis;
   analysis.contrasts =
-      joint_contrasts(analysis.data, analysis.labels, analysis.fit.model.sharing, noticeability.axis);
+      joint_contrasts(analysis.fit, analysis.left_out, analysis.data, analysis.labels, noticeability.axis);
   analysis.people = joint_people(analysis.fit, analysis.data);
   analysis.goodness = joint_goodness(analysis.fit, analysis.data, analysis.people, request.goodness);
   return analysis;

@@ -82,9 +82,8 @@ void add_table(const std::string& question, const JointFit& fit, const JointJack
   into.tables.push_back(test_contrasts(family, fit.theta, left_out.covariance, correction));
 }
 
-void add_shifts(const JointData& data, const std::vector<CurveLabel>& labels, const JointSharing& sharing,
+void add_shifts(const JointFit& fit, const JointJackknife& left_out, const std::vector<CurveLabel>& labels,
                 const LevelAxis& axis, JointContrasts& into) {
-  const JointFit fit = fit_joint(data, sharing);
   for (int c = 0; c < fit.model.curves; ++c)
     if (const CurveVerdict verdict = fit.curves[static_cast<std::size_t>(c)];
         verdict != CurveVerdict::estimated)
@@ -94,7 +93,6 @@ void add_shifts(const JointData& data, const std::vector<CurveLabel>& labels, co
     into.notes.push_back("Thresholds are not compared: " + fit.explanation);
     return;
   }
-  const JointJackknife left_out = leave_people_out(fit, data);
   const auto contrast = [&](int from, int to) { return shift_contrast(fit.model, labels, from, to, axis); };
   add_table(
       "Do thresholds of artifacts differ?", fit, left_out, labels,
@@ -116,29 +114,42 @@ void add_shifts(const JointData& data, const std::vector<CurveLabel>& labels, co
       contrast, into);
 }
 
-void add_slopes(const JointData& data, const std::vector<CurveLabel>& labels, JointSharing sharing,
-                JointContrasts& into) {
+void add_slopes_of(const JointFit& fit, const JointJackknife& left_out, const std::vector<CurveLabel>& labels,
+                   JointContrasts& into) {
+  add_table(
+      "Do slopes differ?", fit, left_out, labels, [](const CurveLabel&, const CurveLabel&) { return true; },
+      [&](int from, int to) { return slope_contrast(fit.model, labels, from, to); }, into, true);
+}
+
+void add_slopes(const JointFit& shared, const JointJackknife& shared_left_out, const JointData& data,
+                const std::vector<CurveLabel>& labels, JointContrasts& into) {
+  JointSharing sharing = shared.model.sharing;
+  if (shared.estimated() && !sharing.scale) return add_slopes_of(shared, shared_left_out, labels, into);
   sharing.scale = false;
   const JointFit fit = fit_joint(data, sharing);
   if (!fit.estimated()) {
     into.notes.push_back("Slopes are not compared: " + fit.explanation);
     return;
   }
-  add_table(
-      "Do slopes differ?", fit, leave_people_out(fit, data), labels,
-      [](const CurveLabel&, const CurveLabel&) { return true; },
-      [&](int from, int to) { return slope_contrast(fit.model, labels, from, to); }, into, true);
+  add_slopes_of(fit, leave_people_out(fit, data), labels, into);
 }
 
 }  // namespace
 
-JointContrasts joint_contrasts(const JointData& data, const std::vector<CurveLabel>& labels,
-                               const JointSharing& sharing, const LevelAxis& axis) {
+JointContrasts joint_contrasts(const JointFit& fit, const JointJackknife& left_out, const JointData& data,
+                               const std::vector<CurveLabel>& labels, const LevelAxis& axis) {
   JointContrasts contrasts;
   if (data.curves.size() < 2) return contrasts;
-  add_shifts(data, labels, sharing, axis, contrasts);
-  add_slopes(data, labels, sharing, contrasts);
+  add_shifts(fit, left_out, labels, axis, contrasts);
+  add_slopes(fit, left_out, data, labels, contrasts);
   return contrasts;
+}
+
+JointContrasts joint_contrasts(const JointData& data, const std::vector<CurveLabel>& labels,
+                               const JointSharing& sharing, const LevelAxis& axis) {
+  const JointFit fit = fit_joint(data, sharing);
+  return joint_contrasts(fit, fit.estimated() ? leave_people_out(fit, data) : JointJackknife{}, data, labels,
+                         axis);
 }
 
 JointData split_by_group(const JointData& data, const std::vector<int>& group_of, int groups) {

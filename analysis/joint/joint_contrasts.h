@@ -24,7 +24,13 @@ struct JointContrasts {
 };
 
 /// Artifacts within each condition, conditions within each artifact, groups within each of both, and slopes
-/// of all curves. The thresholds are of `shared`, the slopes of a fit in which each curve has its own scale.
+/// of all curves. The thresholds are of the fit and its jackknife (empty where it is not `estimated`), the
+/// slopes of a fit in which each curve has its own scale.
+[[nodiscard]] JointContrasts joint_contrasts(const JointFit& fit, const JointJackknife& left_out,
+                                             const JointData& data, const std::vector<CurveLabel>& labels,
+                                             const LevelAxis& axis);
+
+/// The same of a fit of its own.
 [[nodiscard]] JointContrasts joint_contrasts(const JointData& data, const std::vector<CurveLabel>& labels,
                                              const JointSharing& sharing, const LevelAxis& axis);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/statistics/many_people.h"
 #include "support/arithmetic/random.h"
 #include "support/running/parallel.h"
 #include "support/text/numbers.h"
@@ -47,27 +48,65 @@ Eigen::Index draw_outcome(const Eigen::VectorXd& p, Random& random) {
   return p.size() - 1;
 }
 
+/// A person's shifts of all curves.
+void draw_shifts(const JointPeople& people, Random& random, std::vector<double>& shift) {
+  const double own = people.shift_sd * random.normal();
+  for (double& of_curve : shift) of_curve = own + people.curve_sd * random.normal();
+}
+
+/// Answers of `asked` people to a cell, all of them with one shift.
+void add_answers(const JointModel& model, JointCurve curve, Eigen::Index c, double shift, int asked,
+                 Random& random, JointCounts& counts) {
+  const JointCell& cell = model.cells[static_cast<std::size_t>(c)];
+  curve.m += shift;
+  const Eigen::VectorXd probabilities = outcome_probabilities(curve, cell.x, cell.chance);
+  for (int i = 0; i < asked; ++i)
+    counts.cells[c * probabilities.size() + draw_outcome(probabilities, random)] += 1;
+}
+
+/// Of many people: shifts are rounded to a twentieth of their standard deviation, and people with equal ones
+/// are asked together.
+void add_answers_of_many(const JointModel& model, const JointPeople& people, const Eigen::MatrixXi& answers,
+                         const std::vector<JointCurve>& group, Random& random, JointCounts& counts) {
+  constexpr int steps_a_sd = 20, farthest = 6 * steps_a_sd;
+  const double step = std::hypot(people.shift_sd, people.curve_sd) / steps_a_sd;
+  Eigen::MatrixXi asked = Eigen::MatrixXi::Zero(answers.cols(), 2 * farthest + 1);
+  std::vector<double> shift(group.size());
+  for (Eigen::Index p = 0; p < answers.rows(); ++p) {
+    draw_shifts(people, random, shift);
+    for (Eigen::Index c = 0; c < answers.cols(); ++c) {
+      const double away =
+          shift[static_cast<std::size_t>(model.cells[static_cast<std::size_t>(c)].curve)] / step;
+      asked(c, farthest + static_cast<Eigen::Index>(
+                              std::lround(std::clamp<double>(away, -farthest, farthest)))) += answers(p, c);
+    }
+  }
+  for (Eigen::Index c = 0; c < asked.rows(); ++c)
+    for (Eigen::Index s = 0; s < asked.cols(); ++s)
+      if (asked(c, s) > 0)
+        add_answers(model, group[static_cast<std::size_t>(model.cells[static_cast<std::size_t>(c)].curve)], c,
+                    static_cast<double>(s - farthest) * step, asked(c, s), random, counts);
+}
+
 /// Answers of people like those of the fit, as many in each cell as there were.
 JointCounts simulate_answers(const JointModel& model, const JointPeople& people,
                              const Eigen::MatrixXi& answers, const Eigen::VectorXi& references,
                              Random& random) {
-  const Eigen::Index k = model.ratings, width = 2 * k;
-  JointCounts counts{.cells = Eigen::VectorXd::Zero(answers.cols() * width),
-                     .references = Eigen::VectorXd::Zero(k)};
+  JointCounts counts{.cells = Eigen::VectorXd::Zero(answers.cols() * 2 * model.ratings),
+                     .references = Eigen::VectorXd::Zero(model.ratings)};
   std::vector<JointCurve> group;
   for (int c = 0; c < model.curves; ++c) group.push_back(curve_at(model, people.own_theta, c));
-  std::vector<double> shift(group.size());
-  for (Eigen::Index p = 0; p < answers.rows(); ++p) {
-    const double own = people.shift_sd * random.normal();
-    for (double& of_curve : shift) of_curve = own + people.curve_sd * random.normal();
-    for (Eigen::Index c = 0; c < answers.cols(); ++c) {
-      if (answers(p, c) == 0) continue;
-      const JointCell& cell = model.cells[static_cast<std::size_t>(c)];
-      JointCurve curve = group[static_cast<std::size_t>(cell.curve)];
-      curve.m += shift[static_cast<std::size_t>(cell.curve)];
-      const Eigen::VectorXd probabilities = outcome_probabilities(curve, cell.x, cell.chance);
-      for (int i = 0; i < answers(p, c); ++i)
-        counts.cells[c * width + draw_outcome(probabilities, random)] += 1;
+  if (answers.rows() > many_people) {
+    add_answers_of_many(model, people, answers, group, random, counts);
+  } else {
+    std::vector<double> shift(group.size());
+    for (Eigen::Index p = 0; p < answers.rows(); ++p) {
+      draw_shifts(people, random, shift);
+      for (Eigen::Index c = 0; c < answers.cols(); ++c) {
+        const auto curve = static_cast<std::size_t>(model.cells[static_cast<std::size_t>(c)].curve);
+        if (answers(p, c) > 0)
+          add_answers(model, group[curve], c, shift[curve], answers(p, c), random, counts);
+      }
     }
   }
   const Eigen::VectorXd guess = Eigen::Map<const Eigen::VectorXd>(group.front().g.data(), model.ratings);

@@ -169,6 +169,18 @@ Eigen::MatrixXd outcome_scores(const JointModel& model, const Eigen::VectorXd& t
   return scores;
 }
 
+Eigen::MatrixXd person_scores(const JointModel& model, const JointData& data, const Eigen::VectorXd& theta) {
+  JointCounts one{.cells = Eigen::VectorXd::Zero(data.answers.cols()),
+                  .references = Eigen::VectorXd::Zero(data.ratings)};
+  Eigen::MatrixXd of_reference(model.parameters(), data.ratings);
+  for (Eigen::Index r = 0; r < data.ratings; ++r) {
+    one.references.setZero();
+    one.references[r] = 1;
+    of_reference.col(r) = joint_likelihood(model, one, theta).gradient;
+  }
+  return data.answers * outcome_scores(model, theta).transpose() + data.references * of_reference.transpose();
+}
+
 double joint_log_likelihood(const JointModel& model, const JointCounts& counts,
                             const Eigen::VectorXd& theta) {
   const Eigen::Index width = 2 * static_cast<Eigen::Index>(model.ratings);

@@ -27,6 +27,11 @@ struct JointCounts {
 /// apart.
 [[nodiscard]] Eigen::MatrixXd outcome_scores(const JointModel& model, const Eigen::VectorXd& theta);
 
+/// The gradient of everybody's own likelihood at one theta: people x parameters. One matrix product, however
+/// many people there are.
+[[nodiscard]] Eigen::MatrixXd person_scores(const JointModel& model, const JointData& data,
+                                            const Eigen::VectorXd& theta);
+
 /// Weak penalties, one for each coordinate, so that a maximum exists whatever the answers are. Quadratic,
 /// -(v - centre)^2 / (2 sd^2):
 ///

@@ -7,6 +7,7 @@
 
 #include "analysis/ordinal/contrasts/max_t.h"
 #include "analysis/ordinal/likelihood/newton.h"
+#include "analysis/statistics/many_people.h"
 #include "support/text/numbers.h"
 
 namespace seamline::analysis {
@@ -102,26 +103,41 @@ double smallest_scale(const JointFit& fit) {
   return scale;
 }
 
+/// Whose thresholds say how people differ: everybody, or `many_people` evenly spaced rows.
+std::vector<Eigen::Index> rows_of_spread(Eigen::Index people) {
+  std::vector<Eigen::Index> rows;
+  const Eigen::Index count = std::min<Eigen::Index>(people, many_people);
+  for (Eigen::Index i = 0; i < count; ++i) rows.push_back(i * people / count);
+  return rows;
+}
+
 }  // namespace
 
 JointPeople joint_people(const JointFit& fit, const JointData& data) {
   const int curves = fit.model.curves;
   const double scale = smallest_scale(fit), variance = scale * scale;
   Spread spread{.shift = variance / 4, .curve = variance / 16};
-  std::vector<PersonPosterior> people(data.people.size(),
-                                      {.shift = Eigen::VectorXd::Zero(curves), .covariance = {}});
+  const PersonPosterior nobody{.shift = Eigen::VectorXd::Zero(curves), .covariance = {}};
+  const std::vector<Eigen::Index> rows = rows_of_spread(data.answers.rows());
+  std::vector<PersonPosterior> people(rows.size(), nobody);
   JointPeople result;
   for (int round = 0; round < most_pooling_rounds; ++round) {
     result.own_theta = own_coordinates(fit, spread);
     const Eigen::MatrixXd precision = precision_of(spread, curves);
     for (std::size_t p = 0; p < people.size(); ++p)
-      people[p] = posterior_of(fit.model, person_counts(data, static_cast<Eigen::Index>(p)), result.own_theta,
-                               precision, people[p].shift);
+      people[p] =
+          posterior_of(fit.model, person_counts(data, rows[p]), result.own_theta, precision, people[p].shift);
     const Spread next = spread_of(people, curves, variance);
     const double moved = std::abs(std::sqrt(next.shift) - std::sqrt(spread.shift)) +
                          std::abs(std::sqrt(next.curve) - std::sqrt(spread.curve));
     if (moved < pooling_tolerance * scale) break;
     spread = next;
+  }
+  if (people.size() < data.people.size()) {
+    people.assign(data.people.size(), nobody);
+    for (std::size_t p = 0; p < people.size(); ++p)
+      people[p] = posterior_of(fit.model, person_counts(data, static_cast<Eigen::Index>(p)), result.own_theta,
+                               precision_of(spread, curves), nobody.shift);
   }
   result.shift_sd = std::sqrt(spread.shift);
   result.curve_sd = std::sqrt(spread.curve);

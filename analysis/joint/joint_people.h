@@ -28,7 +28,7 @@ struct JointPeople {
 
 /// Empirical Bayes: each person's thresholds by the Laplace approximation, the two standard deviations where
 /// they reproduce themselves as the mean square of what is known of people (EM, Dempster, Laird and Rubin
-/// 1977). `fit` has numbers.
+/// 1977), of at most `many_people` people. `fit` has numbers.
 [[nodiscard]] JointPeople joint_people(const JointFit& fit, const JointData& data);
 
 }  // namespace seamline::analysis

@@ -70,11 +70,8 @@ void write_hotelling(const Eigen::MatrixXd& scores, SharingTest& test) {
 /// The same of pooled answers and of levels that the answers placed.
 PeopleScores scores_of_people(const JointModel& model, const JointData& data, const Eigen::VectorXd& theta) {
   if (model.between_people) return placed_scores(model, data, theta);
-  PeopleScores all{.information = -joint_likelihood(model, all_counts(data), theta).hessian,
-                   .scores = Eigen::MatrixXd(data.answers.rows(), model.parameters())};
-  for (Eigen::Index p = 0; p < all.scores.rows(); ++p)
-    all.scores.row(p) = joint_likelihood(model, person_counts(data, p), theta).gradient.transpose();
-  return all;
+  return {.information = -joint_likelihood(model, all_counts(data), theta).hessian,
+          .scores = person_scores(model, data, theta)};
 }
 
 SharingTest test_block(const std::string& name, const JointFit& fit, const JointData& data,

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
+#include "analysis/statistics/many_people.h"
 #include "support/arithmetic/random.h"
 
 namespace seamline::analysis {
@@ -34,6 +36,20 @@ struct Answered {
 Answered split_missing(const Eigen::MatrixXd& noticeability) {
   const auto has = (noticeability.array() == noticeability.array()).eval();  // NaN is not
   return {has.select(noticeability, 0.0), has.cast<double>()};
+}
+
+/// Sums and numbers of scores of blocks of people: person p is of block p modulo `many_people`.
+Answered blocks_of(const Eigen::MatrixXd& noticeability) {
+  const Eigen::Index columns = noticeability.cols();
+  Answered blocks{.score = Eigen::MatrixXd::Zero(many_people, columns),
+                  .has = Eigen::MatrixXd::Zero(many_people, columns)};
+  for (Eigen::Index column = 0; column < columns; ++column)
+    for (Eigen::Index p = 0; p < noticeability.rows(); ++p) {
+      if (std::isnan(noticeability(p, column))) continue;
+      blocks.score(p % many_people, column) += noticeability(p, column);
+      blocks.has(p % many_people, column) += 1;
+    }
+  return blocks;
 }
 
 MeanVector mean_of_incomplete(const Eigen::MatrixXd& noticeability) {
@@ -75,17 +91,23 @@ MeanVector mean_and_covariance(const Eigen::MatrixXd& noticeability) {
 void for_each_replicate(const Eigen::MatrixXd& noticeability, const ResamplingRequest& request,
                         const std::function<void(int, const Eigen::VectorXd&)>& use) {
   assert(noticeability.rows() > 0);
-  const auto people = static_cast<double>(noticeability.rows());
-  const bool complete = !noticeability.hasNaN();
-  const Answered incomplete = complete ? Answered{} : split_missing(noticeability);
-  const Eigen::VectorXd of_everybody = complete ? Eigen::VectorXd{} : mean_of_incomplete(noticeability).mean;
+  const bool complete = !noticeability.hasNaN(), many = noticeability.rows() > many_people;
+  Answered answered;
+  if (many) answered = blocks_of(noticeability);
+  if (!many && !complete) answered = split_missing(noticeability);
+  const Eigen::MatrixXd& score = many || !complete ? answered.score : noticeability;
+  Eigen::VectorXd of_everybody;
+  if (!complete)
+    of_everybody =
+        answered.score.colwise().sum().transpose().array() / answered.has.colwise().sum().transpose().array();
   const int batches = (request.replicates + batch_size - 1) / batch_size;
   run_parallel(batches, request.threads, [&](int batch) {
     const int first = batch * batch_size;
     const int size = std::min(batch_size, request.replicates - first);
-    const Eigen::MatrixXd drawn = draw_counts(first, size, noticeability.rows(), request.seed);
+    const Eigen::MatrixXd drawn = draw_counts(first, size, score.rows(), request.seed);
+    const Eigen::MatrixXd sums = drawn * score;
     if (!complete) {
-      const Eigen::MatrixXd sums = drawn * incomplete.score, n = drawn * incomplete.has;
+      const Eigen::MatrixXd n = drawn * answered.has;
       for (int row = 0; row < size; ++row)
         use(first + row,
             (n.row(row).array() > 0)
@@ -94,8 +116,9 @@ void for_each_replicate(const Eigen::MatrixXd& noticeability, const ResamplingRe
                 .transpose());
       return;
     }
-    const Eigen::MatrixXd sums = drawn * noticeability;
-    for (int row = 0; row < size; ++row) use(first + row, sums.row(row).transpose() / people);
+    const Eigen::VectorXd people = many ? Eigen::VectorXd(drawn * answered.has.col(0))
+                                        : Eigen::VectorXd::Constant(size, static_cast<double>(score.rows()));
+    for (int row = 0; row < size; ++row) use(first + row, sums.row(row).transpose() / people[row]);
   });
 }
 

@@ -31,7 +31,8 @@ struct MeanVector {
 /// Calls `use(replicate, mean)` with the means at the widths for every bootstrap replicate: people drawn with
 /// replacement, as many as there are; each mean is over those drawn who have a score (NaN: none), and that of
 /// everybody where no one of them was drawn. Replicate r draws from stream r of the seed, whatever thread it
-/// runs on, so artifacts that share people also share replicates. `use` is called from several threads, never
+/// runs on, so artifacts that share people also share replicates. Of more than `many_people` that many blocks
+/// of people are drawn, whose sums vary as the people's do. `use` is called from several threads, never
 /// twice for one replicate.
 void for_each_replicate(const Eigen::MatrixXd& noticeability, const ResamplingRequest& request,
                         const std::function<void(int replicate, const Eigen::VectorXd& mean)>& use);

@@ -130,6 +130,31 @@ TEST(JointFit, ScoresOfPeopleSumToTheGradient) {
   EXPECT_LT((by_outcome - joint_likelihood(model, all_counts(data), theta).gradient).norm(), 1e-8);
 }
 
+TEST(JointFit, ScoresOfEachPersonAreTheGradientOfTheirLikelihood) {
+  JointData data = test::draw_answers({.people_sd = 0.5, .people = 3}, 8);
+  data.references.row(1) << 4, 2, 1, 1;
+  const JointModel model = joint_model(data, sharing_number(6));
+  const Eigen::VectorXd theta = some_theta(model, 9);
+  const Eigen::MatrixXd scores = person_scores(model, data, theta);
+  for (Eigen::Index p = 0; p < 3; ++p)
+    EXPECT_LT((scores.row(p).transpose() - joint_likelihood(model, person_counts(data, p), theta).gradient)
+                  .cwiseAbs()
+                  .maxCoeff(),
+              1e-9);
+}
+
+/// Of more people than are climbed for, one step each; twenty people counted eleven times over.
+TEST(JointFit, ManyPeopleVaryAsFewDo) {
+  const JointData few = test::draw_answers({.people_sd = 0.5}, 11);
+  std::vector<Eigen::Index> rows;
+  for (Eigen::Index p = 0; p < 220; ++p) rows.push_back(p % 20);
+  const JointData many = of_people(few, rows);
+  const JointFit fit = fit_joint(many);
+  const Eigen::MatrixXd of_few = leave_people_out(fit_joint(few), few).covariance,
+                        of_many = leave_people_out(fit, many).covariance;
+  for (Eigen::Index c = 0; c < 4; ++c) EXPECT_NEAR(of_many(c, c) * 220 / (of_few(c, c) * 20), 0.95, 0.15);
+}
+
 TEST(JointFit, LeavingAPersonOutIsNearlyFittingWithoutThem) {
   const JointData data = test::draw_answers({.people_sd = 0.5}, 11);
   const JointFit fit = fit_joint(data);

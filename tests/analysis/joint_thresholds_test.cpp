@@ -199,6 +199,20 @@ TEST(JointPeople, RanksPeopleAndShrinksThem) {
   EXPECT_GE(held, 14);
 }
 
+/// Over a thousand people shifts come from a table and their spread from a thousand of them.
+TEST(JointPeople, ManyDifferAsTheyWereDrawnAndTheirAnswersAreTheModels) {
+  const Fitted all = fitted({.m = {8.2, 9.8}, .people_sd = 0.5, .people = 1100}, 9);
+  const JointPeople people = joint_people(all.fit, all.data);
+  EXPECT_NEAR(people.shift_sd, 0.5, 0.1);
+  ASSERT_EQ(people.thresholds.size(), 2200U);
+  for (const PersonThreshold& row : people.thresholds)
+    EXPECT_NEAR(row.x, all.fit.theta[row.curve], 6 * people.shift_sd);
+  const JointGoodness found =
+      joint_goodness(all.fit, all.data, people, {.replicates = 40, .seed = 1, .threads = 2});
+  EXPECT_GT(found.choices_p, 0.03);
+  EXPECT_GT(found.ratings_p, 0.03);
+}
+
 TEST(JointGoodness, AcceptsTheModelsOwnAnswersAndCountsThemAll) {
   const Fitted all = fitted({.people_sd = 0.5}, 10);
   const JointPeople people = joint_people(all.fit, all.data);

@@ -99,6 +99,30 @@ TEST(MissingAnswers, ReplicatesSpreadAsTheMeansDo) {
       EXPECT_NEAR(spread(j, k), means.covariance(j, k), 0.08 * means.covariance(0, 0)) << j << k;
 }
 
+/// Of many people blocks are drawn: as wide, with and without missing answers.
+TEST(MissingAnswers, BlocksOfManyPeopleSpreadAsThePeopleDo) {
+  Random random(5);
+  Eigen::MatrixXd score(2500, 2);
+  for (Eigen::Index p = 0; p < score.rows(); ++p) {
+    const double own = random.normal();
+    score(p, 0) = own + random.normal();
+    score(p, 1) = p % 3 == 0 ? nan : own + random.normal();
+  }
+  for (const Eigen::Index columns : {1, 2}) {  // the first alone is complete
+    const Eigen::MatrixXd of = score.leftCols(columns);
+    const MeanVector means = mean_and_covariance(of);
+    Eigen::MatrixXd drawn(4000, columns);
+    for_each_replicate(of, {.replicates = 4000, .seed = 1, .threads = 1},
+                       [&](int r, const Eigen::VectorXd& mean) { drawn.row(r) = mean.transpose(); });
+    const Eigen::RowVectorXd middle = drawn.colwise().mean();
+    const Eigen::MatrixXd off = drawn.rowwise() - middle, spread = off.transpose() * off / 4000.0;
+    for (Eigen::Index j = 0; j < columns; ++j) {
+      EXPECT_NEAR(middle[j], means.mean[j], 0.1 * std::sqrt(means.covariance(j, j)));
+      EXPECT_NEAR(spread(j, j), means.covariance(j, j), 0.15 * means.covariance(j, j));
+    }
+  }
+}
+
 /// Nobody is missing: the same bits as before anybody could be.
 TEST(MissingAnswers, WhereNobodyIsMissingNothingChanges) {
   Eigen::MatrixXd score(5, 2);
