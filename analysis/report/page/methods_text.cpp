@@ -14,6 +14,7 @@
 #include "analysis/report/text/joint_text.h"
 #include "analysis/report/text/replication_text.h"
 #include "analysis/scores/level_words.h"
+#include "analysis/statistics/many_people.h"
 #include "analysis/thresholds/threshold_rules.h"
 #include "support/files/assets.h"
 
@@ -87,6 +88,12 @@ std::string procedure(const Analysis& analysis) {
 }
 
 /// "12 yes, 8 no".
+/// What the bootstrap draws.
+std::string drawn_text(const Analysis& analysis) {
+  return analysis.counts.used > many_people ? fmt::format("{} blocks of participants", many_people)
+                                            : "participants";
+}
+
 std::string groups_in_words(const GroupComparison& groups) {
   std::string text;
   for (std::size_t g = 0; g < groups.groups.size(); ++g)
@@ -160,7 +167,12 @@ std::string joint_comparisons_text(const ReportNumbers& numbers) {
   for (const GroupComparison& groups : numbers.groups)
     text +=
         fmt::format(" Groups by {}: {}", groups.field,
-                    groups.verdict.empty() ? fmt::format("{}.", groups_in_words(groups)) : groups.verdict);
+                    groups.verdict.empty()
+                        ? fmt::format("{}{}.", groups_in_words(groups),
+                                      groups.shifts.correction == Correction::holm
+                                          ? "; adjusted by Holm's method, since a group has under 20 people"
+                                          : "")
+                        : groups.verdict);
   return text;
 }
 
@@ -211,8 +223,8 @@ std::string intervals_text(const Analysis& analysis, const LevelWords& words) {
   if (const std::string names = names_with(IntervalMethod::expanded_percentile); !names.empty())
     text += fmt::format(
         " For {} they are expanded percentile intervals (Hesterberg, 2015) of {} bootstrap samples of "
-        "participants (seed {}); a sample without such a point counts as infinite and is never dropped.",
-        names, analysis.resampling.replicates, analysis.resampling.seed);
+        "{} (seed {}); a sample without such a point counts as infinite and is never dropped.",
+        names, analysis.resampling.replicates, drawn_text(analysis), analysis.resampling.seed);
   return text +
          fmt::format(
              " An interval is open (\"above\", \"below\") where the data do not exclude a threshold beyond "
@@ -281,10 +293,10 @@ std::string choices_text(const Analysis& analysis, int replicates) {
 std::string differences_text(const Analysis& analysis) {
   return fmt::format(
       "Thresholds of each condition were compared to those of '{}' ({}). Their intervals are expanded "
-      "percentile intervals of {} bootstrap samples of participants (seed {}), drawn for all conditions "
+      "percentile intervals of {} bootstrap samples of {} (seed {}), drawn for all conditions "
       "together; a sample whose threshold lies beyond the levels tested counts as anywhere there.",
       analysis.data.conditions.front(), length_unit(analysis.data.axis), analysis.resampling.replicates,
-      analysis.resampling.seed);
+      drawn_text(analysis), analysis.resampling.seed);
 }
 
 std::string comparisons_text(const OrdinalStudy& study, const ReportNumbers& numbers) {
