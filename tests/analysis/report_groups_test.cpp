@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "analysis/log_analysis/headline_rows.h"
 #include "analysis/log_analysis/report_numbers.h"
 #include "tests/analysis/report_people.h"
@@ -15,6 +17,7 @@ using namespace study;
 using test::complaint_of;
 using ::testing::Contains;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// The first `yes` people answer "yes"; with `shift` they are asked at widths that stand for twice as many
 /// texels.
@@ -49,6 +52,7 @@ TEST(Groups, APlantedShiftOfTwoOctavesIsFound) {
   EXPECT_GT(all.ci95_high, 2.0);
   EXPECT_EQ(all.verdict, ContrastVerdict::differs);
   EXPECT_THAT(all.conclusion, HasSubstr("larger width"));
+  EXPECT_EQ(compared[0].shifts.correction, Correction::holm);  // of under 20 people a group
 }
 
 TEST(Groups, FewPeopleAreAVerdictWithoutANumber) {
@@ -87,6 +91,20 @@ TEST(Headline, EveryCurveHasARowForEveryRule) {
     EXPECT_LE(row.simultaneous.low_x, row.here.ci95.low_x);
     EXPECT_GE(row.simultaneous.high_x, row.here.ci95.high_x);
   }
+}
+
+/// A scale of 0.22 octave and levels one octave apart: the report says that the form alone places thresholds.
+TEST(Headline, ACurveThatFallsBetweenTwoLevelsIsSaid) {
+  LogContents log = test::people_log(20, 4);
+  EXPECT_THAT(analysed_for_groups(log).notes, Not(Contains(HasSubstr("falls between the tested"))));
+  Random random(3, 1);
+  for (Answer& answer : log.answers) {
+    const bool seen = (std::log2(362.0 / answer.level)) / 0.22 > random.normal();
+    answer.chosen_index = seen ? answer.right() : 1 + static_cast<int>(random.below(3));
+    answer.rating = seen ? 1 + static_cast<int>(random.below(4)) : 1;
+  }
+  EXPECT_THAT(analysed_for_groups(std::move(log)).notes,
+              Contains(HasSubstr("falls between the tested widths 256")));
 }
 
 TEST(Headline, GuessersHaveNoThresholdAndAWordForIt) {
