@@ -201,7 +201,7 @@ TEST(JointPeople, RanksPeopleAndShrinksThem) {
 
 /// Over a thousand people shifts come from a table and their spread from a thousand of them.
 TEST(JointPeople, ManyDifferAsTheyWereDrawnAndTheirAnswersAreTheModels) {
-  const Fitted all = fitted({.m = {8.2, 9.8}, .people_sd = 0.5, .people = 1100}, 9);
+  const Fitted all = fitted({.m = {8.2, 9.8}, .levels = {6, 8, 10, 12}, .people_sd = 0.5, .people = 1100}, 9);
   const JointPeople people = joint_people(all.fit, all.data);
   EXPECT_NEAR(people.shift_sd, 0.5, 0.1);
   ASSERT_EQ(people.thresholds.size(), 2200U);
