@@ -41,9 +41,9 @@ TEST_F(ExchangeExamples, PythonSaysWhatLiesBeyondTheWidthsAndKeepsCodesApart) {
 }
 
 TEST_F(ExchangeExamples, FilesOfEachLayoutAreThoseOfThePage) {
-  const std::vector<std::string> spans =
-      test::code_spans(test::pages().at("documentation/how-to/exchange.md"));
-  const std::set<std::string> named(spans.begin(), spans.end());
+  std::set<std::string> named;
+  for (const char* page : {"documentation/how-to/exchange.md", "documentation/reference/file_formats.md"})
+    for (const std::string& span : test::code_spans(test::pages().at(page))) named.insert(span);
   const auto expect_named = [&](const std::string& layout) {
     ASSERT_EQ(in_folder(std::string(SEAMLINE_PROGRAM) + " export tables log.sqlite out" + layout +
                         " --layout " + layout)

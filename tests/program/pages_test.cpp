@@ -151,6 +151,25 @@ TEST(Documentation, EveryOptionIsOneOfItsCommandOrOfSomeCommand) {
   EXPECT_GE(options_read, 100);
 }
 
+/// As `wc -w` counts them.
+std::size_t words_of_page(const ManualPage& page) {
+  return test::words_of(test::read_text(page.file)).size();
+}
+
+TEST(Documentation, IsShortEnoughToBeRead) {
+  // What is looked up (reference), what only the papers' readers need, and what developers read is not
+  // counted.
+  constexpr std::size_t most_words_of_page = 1200, most_words = 42'000;
+  const std::regex read_through("documentation/(tutorials|how-to|explanation|evidence)/.*");
+  std::size_t words = 0;
+  for (const auto& [name, page] : pages()) {
+    if (!std::regex_match(name, read_through)) continue;
+    EXPECT_LE(words_of_page(page), most_words_of_page) << name;
+    words += words_of_page(page);
+  }
+  EXPECT_LE(words, most_words) << "cut repetition; move history to the changelog, tables to CSV files";
+}
+
 /// A heading as its address: letters and figures in small, spaces as hyphens, all else left out.
 std::string anchor_of(std::string heading) {
   heading = std::regex_replace(heading, std::regex(R"(\[([^\]]*)\]\([^)]*\))"), "$1");
