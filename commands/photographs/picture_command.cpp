@@ -21,6 +21,7 @@
 #include "composites/objects/photo_objects.h"
 #include "composites/photograph.h"
 #include "raytracer/common/parallel.h"
+#include "raytracer/light/bright_patches.h"
 #include "raytracer/scene/eyes.h"
 #include "raytracer/scene/truth_scene.h"
 #include "renderer/depth/sensor/sensor_pose.h"
@@ -227,6 +228,7 @@ void run_picture(const PictureOptions& options) {
   if (!options.has_place) print_framing(file, scene.camera);
   print_left_out(file, options);
   const Geometry geometry(meshes);
+  add_bright_patches(meshes, geometry, light);
   const double fov_deg =
       2 * std::atan(static_cast<double>(camera.tan_half_horizontal)) * 180 / std::numbers::pi;
   Progress progress("picture", 1.0);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "raytracer/light/light.h"
 #include "raytracer/material/hemisphere.h"
@@ -138,6 +139,12 @@ std::shared_ptr<const BrightPatches> find_bright_patches(const Light& light, con
       [](const BrightPatch& a, const BrightPatch& b) { return a.strength_w_sr > b.strength_w_sr; });
   if (bright.patches.size() > BrightPatches::most) bright.patches.resize(BrightPatches::most);
   return std::make_shared<const BrightPatches>(std::move(bright));
+}
+
+void add_bright_patches(std::span<const std::shared_ptr<const SurfaceMesh>> background,
+                        const Geometry& everything, Light& light) {
+  if (auto patches = find_bright_patches(light, everything))
+    light.glowing = std::make_shared<GlowingSurfaces>(background, std::move(patches));
 }
 
 PatchAim aim_at_patches(const BrightPatches& bright, const SurfacePoint& from) {

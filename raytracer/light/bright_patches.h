@@ -2,6 +2,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "raytracer/tracing/surface_point.h"
@@ -33,6 +34,10 @@ struct BrightPatches {
 /// null where there is none. `everything`: all that lamps shine on.
 [[nodiscard]] std::shared_ptr<const BrightPatches> find_bright_patches(const Light& light,
                                                                        const Geometry& everything);
+
+/// Gives a light the spots of its lamps, where there are any. `background`: as of `add_glowing`.
+void add_bright_patches(std::span<const std::shared_ptr<const SurfaceMesh>> background,
+                        const Geometry& everything, Light& light);
 
 /// How often paths that leave a point go towards each spot; those that are left go as the surface scatters.
 struct PatchAim {

@@ -241,17 +241,6 @@ void add_glowing(std::span<const std::shared_ptr<const SurfaceMesh>> background,
   if (!glowing->empty()) light.glowing = std::move(glowing);
 }
 
-namespace {
-
-/// Adds the spots of lamps close to surfaces, where there are any.
-void add_bright_patches(std::span<const std::shared_ptr<const SurfaceMesh>> background,
-                        const Geometry& everything, Light& light) {
-  if (auto patches = find_bright_patches(light, everything))
-    light.glowing = std::make_shared<GlowingSurfaces>(background, std::move(patches));
-}
-
-}  // namespace
-
 Eigen::Affine3d standing_placement(const ObjectDefinition& object, const SceneFile& file,
                                    const TruthScene& scene, std::vector<std::string>& rests) {
   const Eigen::Affine3d placement = object_placement(object);
