@@ -90,8 +90,12 @@ std::string run_convergence(const StudyDefinition& study, const ConvergenceReque
   const std::uint64_t seed = subject.study.seed;
   if (wanted(ConvergencePart::sensor)) writer.add(ConvergencePart::sensor, measure_sensor(seed));
   if (wanted(ConvergencePart::repair)) writer.add(ConvergencePart::repair, measure_repair(seed));
+  if (wanted(ConvergencePart::registration))
+    writer.add(ConvergencePart::registration, measure_registration());
   if (wanted(ConvergencePart::fit)) writer.add(ConvergencePart::fit, measure_fit(seed));
+  if (wanted(ConvergencePart::joint)) writer.add(ConvergencePart::joint, measure_joint(seed));
   if (wanted(ConvergencePart::interval)) writer.add(ConvergencePart::interval, measure_interval(seed));
+  if (wanted(ConvergencePart::plan)) writer.add(ConvergencePart::plan, measure_plan(study.file, seed));
   return writer.finish();
 }
 

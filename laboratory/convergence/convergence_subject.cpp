@@ -48,6 +48,12 @@ std::string_view word(ConvergencePart part) {
       return "sensor";
     case ConvergencePart::repair:
       return "repair";
+    case ConvergencePart::registration:
+      return "registration";
+    case ConvergencePart::joint:
+      return "joint";
+    case ConvergencePart::plan:
+      return "plan";
     case ConvergencePart::fit:
       return "fit";
     case ConvergencePart::interval:

@@ -14,7 +14,7 @@ namespace seamline::renderer {
 
 /// The parts of `seamline lab convergence`, each with its own figure and table; `links` (captured depth),
 /// `realtime` (methods of real time) and `light` (how light is sampled) are made where they are asked for, as
-/// are those that make no picture: depth cameras, repair, psychometric fits and their intervals.
+/// are those that make no picture: depth cameras, repair, registration, fits, intervals and plans.
 enum class ConvergencePart {
   samples,
   mesh,
@@ -25,14 +25,18 @@ enum class ConvergencePart {
   light,
   sensor,
   repair,
+  registration,
   fit,
-  interval
+  joint,
+  interval,
+  plan
 };
-inline constexpr std::array<ConvergencePart, 11> every_convergence_part = {
-    ConvergencePart::samples,     ConvergencePart::mesh,    ConvergencePart::width,
-    ConvergencePart::compositing, ConvergencePart::links,   ConvergencePart::realtime,
-    ConvergencePart::light,       ConvergencePart::sensor,  ConvergencePart::repair,
-    ConvergencePart::fit,         ConvergencePart::interval};
+inline constexpr std::array<ConvergencePart, 14> every_convergence_part = {
+    ConvergencePart::samples,      ConvergencePart::mesh,   ConvergencePart::width,
+    ConvergencePart::compositing,  ConvergencePart::links,  ConvergencePart::realtime,
+    ConvergencePart::light,        ConvergencePart::sensor, ConvergencePart::repair,
+    ConvergencePart::registration, ConvergencePart::fit,    ConvergencePart::joint,
+    ConvergencePart::interval,     ConvergencePart::plan};
 [[nodiscard]] std::string_view word(ConvergencePart part);
 
 /// What `seamline lab convergence` was asked for.

@@ -24,6 +24,14 @@ int lines(const std::string& text) {
   return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
 }
 
+/// The slope of a series' error that was found; NaN where there is none.
+double slope_of(const fs::path& folder, const std::string& series) {
+  std::istringstream slopes(read_text(folder / "slopes.csv"));
+  for (std::string line; std::getline(slopes, line);)
+    if (line.starts_with(series)) return std::stod(line.substr(series.size()));
+  return std::nan("");
+}
+
 TEST(Convergence, WritesEveryPart) {
   const fs::path folder = test::fresh_folder("convergence");
   const std::string from = "depth_width_px = [64, 256, 512, 1024, 2048]";
@@ -56,12 +64,18 @@ TEST(Convergence, MeansOfFramesComeNearerToTheTruth) {
             0);
   EXPECT_THAT(read_text(folder / "sensor.csv"), StartsWith("series,frames,seconds,error\n"));
   EXPECT_THAT(read_text(folder / "repair.csv"), StartsWith("series,radius_or_draws,seconds,error\n"));
-  std::istringstream slopes(read_text(folder / "slopes.csv"));
-  double found = 0;
-  for (std::string line; std::getline(slopes, line);)
-    if (const std::string start = "sensor,time of flight,error in frames,"; line.starts_with(start))
-      found = std::stod(line.substr(start.size()));
-  EXPECT_NEAR(found, -0.5, 0.05);
+  EXPECT_NEAR(slope_of(folder, "sensor,time of flight,error in frames,"), -0.5, 0.05);
+}
+
+TEST(Convergence, RegistrationFollowsThePixelsOfTheDepthCamera) {
+  const fs::path folder = test::fresh_folder("convergence-registration");
+  ASSERT_EQ(run_seamline(convergence(test::studies() / "quick.toml", folder,
+                                     "--parts registration --only bedroom-receiver-statue-0064"))
+                .status,
+            0);
+  EXPECT_THAT(read_text(folder / "registration.csv"), StartsWith("series,depth_width_px,seconds,error\n"));
+  EXPECT_NEAR(slope_of(folder, "registration,points,error in depth_width_px,"), 0, 0.1);
+  EXPECT_NEAR(slope_of(folder, "registration,mesh,error in depth_width_px,"), -2, 0.1);
 }
 
 TEST(Convergence, SlopesOfSamplesAreNumbers) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,7 @@ struct EstimateLimit {
 
 /// Error of an estimator that makes no picture, against its processor time.
 struct EstimateResult {
-  std::string part;          ///< sensor, repair, fit or interval
+  std::string part;          ///< sensor, repair, registration, fit, joint, interval or plan
   std::string amount, unit;  ///< what grows, and the unit of the error
   std::string truth;         ///< what the error is against: a sentence
   std::vector<EstimateRow> rows;
@@ -38,5 +39,12 @@ struct EstimateResult {
 [[nodiscard]] EstimateResult measure_fit(std::uint64_t seed);
 /// Bootstrap intervals of one threshold: error of their ends against the same with many more replicates.
 [[nodiscard]] EstimateResult measure_interval(std::uint64_t seed);
+/// A bent wall brought into the camera beside the depth camera: error of the depth where it has one.
+[[nodiscard]] EstimateResult measure_registration();
+/// The joint model fitted to simulated answers and ratings: error of its thresholds.
+[[nodiscard]] EstimateResult measure_joint(std::uint64_t seed);
+/// The assurance that a plan promises for the study's own levels: error against that of many more simulated
+/// studies. Throws InputError as `analysis::plan_study`.
+[[nodiscard]] EstimateResult measure_plan(const std::filesystem::path& study_file, std::uint64_t seed);
 
 }  // namespace seamline::renderer
