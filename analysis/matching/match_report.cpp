@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "analysis/matching/match_figure.h"
@@ -119,7 +120,6 @@ Json mean_json(const MatchMean& mean, const std::function<Json(std::optional<dou
 
 std::string threshold_lines_html(const MatchAnalysis& analysis) {
   const LevelAxis axis = axis_of(analysis);
-  const std::string in = " (" + length_unit(axis) + ")";
   std::vector<std::vector<std::string>> lines;
   bool planted = false;
   for (const CurveMatches& c : analysis.curves) planted = planted || c.planted;
@@ -136,15 +136,14 @@ std::string threshold_lines_html(const MatchAnalysis& analysis) {
                                      {"participants", true},
                                      {"matches", true},
                                      {"at an end", true},
-                                     {"SD of people" + in, true},
-                                     {"SD of a match" + in, true},
-                                     {"effect of the start" + in, true}};
+                                     {"SD of people", true},
+                                     {"SD of a match", true},
+                                     {"effect of the start", true}};
   if (planted) columns.push_back({"planted", true});
   return html_table(columns, lines);
 }
 
 std::string person_lines_html(const MatchAnalysis& analysis) {
-  const std::string in = " (" + length_unit(axis_of(analysis)) + ")";
   std::vector<std::vector<std::string>> lines;
   for (const PersonMatches& p : analysis.of_people)
     lines.push_back({p.participant, curve_name(p.artifact, p.condition), level_of_mean(analysis, p.mean),
@@ -153,10 +152,10 @@ std::string person_lines_html(const MatchAnalysis& analysis) {
   return html_table({{"participant"},
                      {"curve"},
                      {"just seen", true},
-                     {"SD of a match" + in, true},
+                     {"SD of a match", true},
                      {"matches", true},
                      {"at an end", true},
-                     {"effect of the start" + in, true}},
+                     {"effect of the start", true}},
                     lines);
 }
 
@@ -181,6 +180,9 @@ std::string match_page(const MatchAnalysis& analysis, const std::vector<Figure>&
       "content=\"width=device-width, initial-scale=1\">\n<title>Seamline: {}</title>\n<style>{}</style>\n"
       "</head>\n<body>\n<header>\n<h1>Where the seam is just seen: {}</h1>\n",
       html_escape(log.study_name), page_style(), html_escape(log.study_name));
+  const ParticipantCounts counts = count_participants(analysis.people);
+  if (counts.simulated > 0)
+    html += fmt::format("<div class=\"badge\">{} simulated observers</div>\n", counts.simulated);
   html += "<dl class=\"facts\">\n" + fact("study", log.study_name + ", hash " + log.study_hash) +
           fact("stimulus set", "hash " + log.set_hash) + fact("participants", who_answered(analysis)) +
           fact("levels", axis_title(axis_of(analysis))) + fact("log", log.file.filename().string()) +
@@ -190,16 +192,18 @@ std::string match_page(const MatchAnalysis& analysis, const std::vector<Figure>&
     for (const std::string& note : analysis.notes) html += "<li>" + html_escape(note) + "</li>\n";
     html += "</ul>\n";
   }
-  html += "</header>\n<h2 id=\"thresholds\">Matched levels</h2>\n" + threshold_lines_html(analysis) +
-          html_paragraph(
-              "An effect of the start over 0 says that matches which began with a clear seam ended "
-              "at larger levels than those which began with a faint one.") +
-          figure_html(figures, "matches") + "<h2 id=\"participants\">Each participant</h2>\n" +
-          person_lines_html(analysis) + "<h2 id=\"methods\">Methods</h2>\n<div class=\"quote\">\n" +
-          html_paragraph(match_methods(analysis)) + "</div>\n<h2 id=\"data\">Data</h2>\n" +
-          "<p>Every number of this page is beside it: <code>thresholds.json</code>, "
-          "<code>thresholds.csv</code>, <code>thresholds_people.csv</code>, and every single match in "
-          "<code>matches.csv</code>; <code>data_dictionary.csv</code> explains the columns.</p>\n";
+  html +=
+      "</header>\n<h2 id=\"thresholds\">Matched levels</h2>\n" + threshold_lines_html(analysis) +
+      html_paragraph("Standard deviations (SD) and the effect of the start are in " +
+                     length_unit(axis_of(analysis)) +
+                     ". An effect of the start over 0 says that matches which began with a clear seam ended "
+                     "at larger levels than those which began with a faint one.") +
+      figure_html(figures, "matches") + "<h2 id=\"participants\">Each participant</h2>\n" +
+      person_lines_html(analysis) + "<h2 id=\"methods\">Methods</h2>\n<div class=\"quote\">\n" +
+      html_paragraph(match_methods(analysis)) + "</div>\n<h2 id=\"data\">Data</h2>\n" +
+      "<p>Every number of this page is beside it: <code>thresholds.json</code>, "
+      "<code>thresholds.csv</code>, <code>thresholds_people.csv</code>, and every single match in "
+      "<code>matches.csv</code>; <code>data_dictionary.csv</code> explains the columns.</p>\n";
   return html + "</body>\n</html>\n";
 }
 

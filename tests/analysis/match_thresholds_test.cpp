@@ -30,7 +30,7 @@ std::filesystem::path matched_log(const TemporaryFolder& folder, int people, std
   return folder / "log";
 }
 
-MatchAnalysis analysis_of(const std::filesystem::path& path) {
+MatchAnalysis matches_of_log(const std::filesystem::path& path) {
   study::LogContents log = study::read_log(path);
   std::vector<ParticipantUse> people = select_participants(log, false);
   return analyze_matches(std::move(log), std::move(people));
@@ -47,7 +47,7 @@ TEST(MatchThresholds, AMeanOverPeopleHasStudentsInterval) {
 
 TEST(MatchThresholds, PlantedThresholdsAreFoundAndPeopleDifferAsPlanted) {
   const TemporaryFolder folder;
-  const MatchAnalysis analysis = analysis_of(matched_log(folder, 60, 2));
+  const MatchAnalysis analysis = matches_of_log(matched_log(folder, 60, 2));
   const ObserverDefinition observer;
   ASSERT_EQ(analysis.curves.size(), 4U);
   for (const CurveMatches& curve : analysis.curves) {
@@ -64,7 +64,7 @@ TEST(MatchThresholds, PlantedThresholdsAreFoundAndPeopleDifferAsPlanted) {
 
 TEST(MatchThresholds, EveryParticipantHasTheirOwnMeanAndDeviation) {
   const TemporaryFolder folder;
-  const MatchAnalysis analysis = analysis_of(matched_log(folder, 2, 3));
+  const MatchAnalysis analysis = matches_of_log(matched_log(folder, 2, 3));
   ASSERT_EQ(analysis.of_people.size(), 8U);
   for (const PersonMatches& person : analysis.of_people) {
     double sum = 0, squares = 0;
@@ -87,7 +87,7 @@ TEST(MatchThresholds, TheReportSaysWhatTheTablesSay) {
       analyze_log({.log = matched_log(folder, 5, 4), .report_folder = folder / "report"});
   const auto json = nlohmann::json::parse(read_file(folder / "report" / "thresholds.json"));
   ASSERT_EQ(json["thresholds"].size(), 4U);
-  const MatchAnalysis analysis = analysis_of(folder / "log");
+  const MatchAnalysis analysis = matches_of_log(folder / "log");
   for (std::size_t i = 0; i < 4; ++i) {
     const auto& curve = json["thresholds"][i];
     EXPECT_NEAR(curve["just_seen"]["estimate"].get<double>(), std::exp2(analysis.curves[i].threshold.mean),
@@ -109,7 +109,7 @@ TEST(MatchThresholds, TheReportSaysWhatTheTablesSay) {
 
 TEST(MatchThresholds, OneParticipantHasNoIntervalAndIsToldSo) {
   const TemporaryFolder folder;
-  const MatchAnalysis analysis = analysis_of(matched_log(folder, 1, 3));
+  const MatchAnalysis analysis = matches_of_log(matched_log(folder, 1, 3));
   for (const CurveMatches& curve : analysis.curves) EXPECT_FALSE(curve.threshold.low || curve.between_sd);
   EXPECT_THAT(analysis.notes, testing::Contains(HasSubstr("One participant")));
 }
