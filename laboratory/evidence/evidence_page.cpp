@@ -39,7 +39,7 @@ EvidencePage convergence_page() {
                 light("light-metal", "environment_light", "gazebo-shadow-lion-sky"),
                 {"estimates",
                  "seamline lab convergence stimuli/quick.toml --only bedroom-receiver-statue-0064 --parts "
-                 "sensor,repair,fit,interval --out estimates",
+                 "sensor,repair,registration,fit,joint,interval --out estimates",
                  Printed::progress}};
   page.small_steps = {
       {"estimates",
@@ -47,7 +47,8 @@ EvidencePage convergence_page() {
        "32x18 --parts sensor,repair --out estimates",
        Printed::progress}};
   for (const EvidenceStep& one : page.steps) {
-    for (const char* figure : {"samples", "mesh", "width", "light", "sensor", "repair", "fit", "interval"})
+    for (const char* figure : {"samples", "mesh", "width", "light", "sensor", "repair", "registration", "fit",
+                               "joint", "interval"})
       page.shown.push_back(one.name + "/" + figure + ".svg");
     page.shown.push_back(one.name + "/slopes.csv");
   }
