@@ -36,7 +36,7 @@ EvidencePage convergence_page() {
                 step("occlusion", "atrium-occlusion-teapot_middle"),
                 step("overlap", "gazebo-overlap-lion"),
                 light("light-interior", "environment_light", "gazebo-shadow-lion-interior"),
-                light("light-metal", "environment_light", "gazebo-shadow-lion-sky"),
+                light("light-sky", "environment_light", "gazebo-shadow-lion-sky"),
                 {"estimates",
                  "seamline lab convergence stimuli/quick.toml --only bedroom-receiver-statue-0064 --parts "
                  "sensor,repair,registration,fit,joint,interval --out estimates",
