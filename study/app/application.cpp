@@ -148,6 +148,10 @@ void Application::note_poses(std::int64_t now_ns) {
 }
 
 void Application::step(const VisitEvent& event) {
+  if (stage_.comfort)
+    note("comfort", monotonic_ns(),
+         fmt::format("{} {}", *stage_.comfort, answered_trials(visit_.session.trials)));
+  stage_.comfort.reset();
   note_answer(event);
   if (const auto* confirmed = std::get_if<DisplayConfirmed>(&event)) keep_display(confirmed->facts);
   const std::string before = screen_name(visit_.screen);

@@ -1,6 +1,7 @@
 #include "study/exchange/look_records.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -57,7 +58,43 @@ std::vector<LookedTrial> looks_in(SQLite::Database& database, const std::filesys
   return looks;
 }
 
+/// "3 28": the answer, and the trials before it.
+ComfortAnswer comfort_of(const std::string& participant, const std::string& text,
+                         const std::filesystem::path& file) {
+  ComfortAnswer one{.participant = participant};
+  const char* const end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, one.comfort);
+  const bool begun = first.ec == std::errc() && first.ptr != end && *first.ptr == ' ';
+  const auto second = begun ? std::from_chars(first.ptr + 1, end, one.answered) : first;
+  if (begun && second.ec == std::errc() && second.ptr == end && one.comfort >= 1 && one.comfort <= 5 &&
+      one.answered >= 0)
+    return one;
+  throw input_error({.file = file.string(),
+                     .field = "events.detail",
+                     .wanted = "an answer from 1 to 5 and a number of trials in an event \"comfort\"",
+                     .found = "\"" + printable(text, 40) + "\""});
+}
+
+std::vector<ComfortAnswer> comfort_in(SQLite::Database& database, const std::filesystem::path& file) {
+  SQLite::Statement row(database, R"sql(
+      SELECT participants.code, events.detail
+      FROM events JOIN sessions USING (session) JOIN participants USING (participant)
+      WHERE events.kind = 'comfort' ORDER BY participants.participant, events.event)sql");
+  const LogValues values(row, file, "events");
+  std::vector<ComfortAnswer> answers;
+  while (row.executeStep()) answers.push_back(comfort_of(values.code(0), row.getColumn(1).getString(), file));
+  return answers;
+}
+
 }  // namespace
+
+std::vector<ComfortAnswer> read_comfort(const LogContents& log) {
+  if (log.study_text.find("comfort_question") == std::string::npos) return {};
+  return with_log_errors(log.file, [&] {
+    SQLite::Database database = open_log_database(log.file, LogAccess::read);
+    return comfort_in(database, log.file);
+  });
+}
 
 std::vector<LookedTrial> read_looks(const LogContents& log) {
   if (log.study_text.find("panorama") == std::string::npos) return {};

@@ -35,6 +35,17 @@ inline constexpr double facing_deg = 15;
 [[nodiscard]] LookMeasures measure_look(const std::vector<PoseAt>& poses, double object_yaw_deg,
                                         double end_ms);
 
+/// How somebody felt at a break.
+struct ComfortAnswer {
+  std::string participant;
+  int answered = 0;  ///< trials before the break
+  int comfort = 0;   ///< 1 to 5, place in `comfort_labels`
+};
+
+/// In the order of participants and of their answers; empty where the log's study does not ask. Throws
+/// InputError when the log cannot be read, or an event `comfort` is none.
+[[nodiscard]] std::vector<ComfortAnswer> read_comfort(const LogContents& log);
+
 /// An answer to a stimulus, and how its panorama was looked round until the rating.
 struct MeasuredLook {
   std::size_t answer = 0;  ///< its place in the log's answers

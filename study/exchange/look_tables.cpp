@@ -22,6 +22,18 @@ CsvTable table_of_poses(const std::vector<LookedTrial>& looks) {
   return table;
 }
 
+CsvTable table_of_comfort(const std::vector<ComfortAnswer>& answers) {
+  CsvTable table{
+      .name = "comfort",
+      .columns = {{"participant", "", "code of the participant"},
+                  {"answered", "trials", "answered before the break"},
+                  {"comfort", "1 to 5", "the answer to comfort_question, its place in comfort_labels"}},
+      .rows = {}};
+  for (const ComfortAnswer& one : answers)
+    table.rows.push_back({one.participant, std::int64_t{one.answered}, std::int64_t{one.comfort}});
+  return table;
+}
+
 }  // namespace
 
 std::vector<CsvTable> look_tables(const LogContents& log) {
@@ -47,7 +59,10 @@ std::vector<CsvTable> look_tables(const LogContents& log) {
                           made.first_look_s ? CsvValue(*made.first_look_s) : CsvValue(std::string()),
                           made.share_facing});
   }
-  return {std::move(table), table_of_poses(looks)};
+  std::vector<CsvTable> tables = {std::move(table), table_of_poses(looks)};
+  if (const std::vector<ComfortAnswer> answers = read_comfort(log); !answers.empty())
+    tables.push_back(table_of_comfort(answers));
+  return tables;
 }
 
 }  // namespace seamline::study

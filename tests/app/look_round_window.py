@@ -34,7 +34,7 @@ profile = {"mm_per_px": 0.25, "viewing_distance_mm": 600, "gamma_confirmed": Tru
 (run / "config/seamline/display.json").write_text(json.dumps({"format": "seamline display", "version": 1, "screens": {screen_key: profile}}))
 reader, writer = os.pipe()
 server = subprocess.Popen(
-    ["Xvfb", "-displayfd", str(writer), "-screen", "0", f"{WIDTH}x{HEIGHT}x24", "-fbdir", str(run), "-nolisten", "tcp"],
+    ["Xvfb", "-displayfd", str(writer), "-screen", "0", f"{WIDTH}x{HEIGHT}x24", "-fbdir", str(run), "-nolisten", "tcp", "-noreset"],
     pass_fds=[writer], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 display = ":" + os.read(reader, 16).decode().strip()
 environment = dict(os.environ, DISPLAY=display, XDG_CONFIG_HOME=str(run / "config"), LIBGL_ALWAYS_SOFTWARE="1")
@@ -147,6 +147,10 @@ def answer_until(answered):
             for name in ("gender", "vision", "technical_background", "submit"):
                 click(line["items"][name])
             xdotool("mousemove", 3, 3)
+        elif at == "break":
+            shot("break")
+            click(line["items"]["comfort-2"])
+            xdotool("mousemove", 3, 3)
         elif at == "consent":
             xdotool("key", "Tab", "Tab", "Return")
         elif at:
@@ -178,6 +182,8 @@ answers = list(csv.DictReader(open(run / "tables/answers.csv")))
 assert [int(one["trial_index"]) for one in answers] == list(range(12)), "every trial has one answer"
 assert all(one["chosen_index"] == ("3" if one["condition"] == "turned" else "1") for one in answers)
 assert max(differences) <= 1, differences
+comfort = list(csv.DictReader(open(run / "tables/comfort.csv")))
+assert [(one["answered"], one["comfort"]) for one in comfort] == [("6", "2")], comfort
 found = sum(one["condition"] == "turned" for one in answers)
 print(f"12 trials in the window, killed twice, no answer lost; {found} times the object behind the start was found and chosen; "
       f"{len(differences)} poses of 640 x 360: largest difference {max(differences):.3f} codes")

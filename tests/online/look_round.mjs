@@ -3,7 +3,7 @@
 // is only loaded anew). Pictures to look at: WORK/shots/look-*.png.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdirSync, mkdtempSync, readlinkSync, writeFileSync } from "node:fs";
+import { mkdirSync, mkdtempSync, readFileSync, readlinkSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { staticHost } from "./hosts.mjs";
 import { act, actUntil, inFirefox, look, openBrowser } from "./person.mjs";
@@ -133,6 +133,7 @@ const chosen = new Map(); // by trial
 const isOver = ({ screen }) => ["thanks", "stopped"].includes(screen);
 for (let now = await look(page); !isOver(now); now = await look(page)) {
   const disrupt = now.screen === "trial" && disruptions.get(now.answered + " " + now.phase);
+  if (now.screen === "break") await shot("break");
   if (disrupt) {
     disruptions.delete(now.answered + " " + now.phase);
     await disrupt();
@@ -156,6 +157,8 @@ const messages = await page.evaluate(() => globalThis.seamline.store.messages())
 const answers = messages.filter(({ kind }) => kind === "answer").map(({ body }) => body);
 const looks = messages.filter(({ kind, body }) => kind === "event" && body.kind === "look").map(({ body }) => body);
 assert.equal(answers.length, 12);
+const comfort = messages.filter(({ kind, body }) => kind === "event" && body.kind === "comfort").map(({ body }) => body.detail);
+assert.deepEqual(comfort, ["2 6"], "how people feel is asked at the break");
 answers.forEach((answer) => assert.equal(answer.chosen_index, chosen.get(answer.trial_index)));
 for (const answer of answers) {
   const poses = looks.filter((one) => one.trial_index === answer.trial_index).flatMap(({ detail }) => detail.split(";").map((pose) => pose.split(" ").map(Number)));
@@ -170,3 +173,11 @@ console.log("12 trials by mouse, broken off three times, no answer lost: " + fou
 writeFileSync(join(work, "look.jsonl"), messages.map((message) => JSON.stringify(message) + "\n").join(""));
 await browser.close();
 await host.stop();
+
+// The log as it is imported says how the person felt at the break.
+const log = join(work, "look.sqlite");
+const tables = join(work, "look-tables");
+for (const old of [log, log + "-lock", tables]) rmSync(old, { recursive: true, force: true });
+execFileSync(process.env.SEAMLINE_PROGRAM, ["import", log, join(work, "look.jsonl"), "--set", join(work, "look-set")]);
+execFileSync(process.env.SEAMLINE_PROGRAM, ["export", "tables", log, tables]);
+assert.match(readFileSync(join(tables, "comfort.csv"), "utf8"), /^participant,answered,comfort\n[^,]+,6,2\n$/);

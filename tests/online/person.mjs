@@ -106,6 +106,8 @@ export async function act(page, seen, { mouse = false, answer = usualAnswer } = 
     case "feedback":
     case "ready":
     case "break":
+      if (await page.locator("#comfort-2").isVisible()) return page.click("#comfort-2");
+    // falls through
     case "pause":
       return mouse ? page.click("#continue") : page.keyboard.press("Enter");
   }

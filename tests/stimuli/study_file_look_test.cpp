@@ -44,6 +44,19 @@ TEST(StudyFileLook, AStudyWithoutOneIsAsItWas) {
   EXPECT_EQ(study_hash(looked_at("", "", camera + "projection = \"perspective\"\n")), study_hash(plain));
 }
 
+TEST(StudyFileLook, AQuestionAboutComfortIsNoPartOfTheHash) {
+  const std::string look = "[look]\nkind = \"mouse\"\n";
+  const StudyDefinition plain = looked_at(look);
+  EXPECT_EQ(comfort_asked(plain), nullptr);
+  const std::string question = look + "comfort_question = \"Dizzy?\"\n";
+  const StudyDefinition asking = looked_at(question + "comfort_labels = [\"0\", \"1\", \"2\", \"3\", \"4\"]");
+  ASSERT_NE(comfort_asked(asking), nullptr);
+  EXPECT_EQ(comfort_asked(asking)->comfort_labels[4], "4");
+  EXPECT_EQ(study_hash(asking), study_hash(plain));
+  EXPECT_THAT(look_complaint(question + "comfort_labels = [\"0\", \"1\"]"), HasSubstr("five texts"));
+  EXPECT_THAT(look_complaint(look + "comfort_labels = [\"0\"]"), HasSubstr("comfort_question beside it"));
+}
+
 TEST(StudyFileLook, BelongsToStudyOrConditionAndToTheHash) {
   const StudyDefinition study = looked_at(
       "[look]\nkind = \"mouse\"\nhorizontal_fov_deg = 80\n[[condition]]\nname = \"turned\"\n"

@@ -28,6 +28,14 @@ const LookDefinition* look_of(const StudyDefinition& study, std::string_view con
   return found == study.conditions.end() ? study.look.get() : look_of(study, *found);
 }
 
+const LookDefinition* comfort_asked(const StudyDefinition& study) {
+  if (!is_panorama(study)) return nullptr;
+  if (study.look && !study.look->comfort_question.empty()) return study.look.get();
+  for (const ConditionDefinition& condition : study.conditions)
+    if (condition.look && !condition.look->comfort_question.empty()) return condition.look.get();
+  return nullptr;
+}
+
 std::array<double, 2> start_deg(const LookDefinition& look, const SceneDefinition& scene) {
   if (look.start_deg || !scene.camera) return look.start_deg.value_or(std::array{0.0, 0.0});
   const Eigen::Vector3d ahead = scene.camera->look_at_m - scene.camera->position_m;

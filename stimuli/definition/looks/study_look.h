@@ -20,6 +20,10 @@ inline constexpr double panorama_fov_deg = 360;
 /// The same of the condition with this name; empty: the study's own.
 [[nodiscard]] const LookDefinition* look_of(const StudyDefinition& study, std::string_view condition);
 
+/// Whose question about comfort is asked at breaks: the study's, else the first condition's that has one;
+/// null where none has.
+[[nodiscard]] const LookDefinition* comfort_asked(const StudyDefinition& study);
+
 /// Yaw and pitch in degrees at which a trial of the scene begins.
 [[nodiscard]] std::array<double, 2> start_deg(const LookDefinition& look, const SceneDefinition& scene);
 /// The same of the scene with this name, which the study has.

@@ -24,6 +24,11 @@ struct LookDefinition {
   /// Beside the question, of a view that turns. Not part of the meaning: it can be edited in a rendered set.
   std::string hint =
       "Drag, or press arrow keys, to look round. Click an object, or put the cross on it and press Enter.";
+  /// Asked at every break, with one of five answers, which the log keeps; empty: nothing is asked. Not part
+  /// of the meaning either.
+  std::string comfort_question = {};
+  std::array<std::string, 5> comfort_labels = {"Not at all", "A little", "Moderately", "Strongly",
+                                               "Very strongly"};
 
   [[nodiscard]] bool is_all_round() const { return yaw_deg[1] - yaw_deg[0] >= 360; }
   auto operator<=>(const LookDefinition&) const = default;

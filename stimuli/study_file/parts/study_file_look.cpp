@@ -48,6 +48,18 @@ void refuse_unused(const TomlTable& table, const LookDefinition& look) {
   if (look.kind == LookKind::head) refuse("horizontal_fov_deg", "nothing: a headset has a field of its own");
 }
 
+void read_comfort(const TomlTable& table, LookDefinition& look) {
+  look.comfort_question = table.text("comfort_question", look.comfort_question);
+  if (!table.has("comfort_labels")) return;
+  const std::vector<std::string> labels = table.texts("comfort_labels");
+  if (look.comfort_question.empty())
+    throw table.complaint("comfort_labels", "comfort_question beside it", "the labels alone");
+  if (labels.size() != look.comfort_labels.size())
+    throw table.complaint("comfort_labels", "five texts, from none to the most",
+                          fmt::format("{}", labels.size()));
+  std::copy(labels.begin(), labels.end(), look.comfort_labels.begin());
+}
+
 /// What one condition has beside panoramas that only one perspective view can have.
 void refuse_views_own(const TomlTable& table, const ConditionDefinition& condition) {
   const auto refuse = [&](const char* key, const std::string& found) {
@@ -127,6 +139,7 @@ std::shared_ptr<const LookDefinition> read_look(const TomlTable& settings,
   if (look->kind == LookKind::head && (!usual || other_kind)) look->hint = head_hint;
   if (look->kind == LookKind::mouse && other_kind) look->hint = LookDefinition{}.hint;
   look->hint = table->text("hint", look->hint);
+  read_comfort(*table, *look);
   table->finish();
   if (look->kind != LookKind::mouse) {  // what has no meaning has its default, so that equal means the same
     look->yaw_deg = LookDefinition{}.yaw_deg;
@@ -142,6 +155,9 @@ void check_looks(const TomlTable& study_table, const StudyDefinition& study) {
   if (panoramas && study.task)
     throw study_table.complaint("task", "the task \"object\" in a study of panoramas, and no table [task]",
                                 "a table [task]");
+  if (panoramas && study.languages && comfort_asked(study) != nullptr)
+    throw study_table.complaint("look.comfort_question", "a study in one language, because it has one text",
+                                "a table [[language]]");
   if (panoramas) return check_panoramas(study_table, study);
   for (const ConditionDefinition& condition : list_conditions(study))
     if (look_of(study, condition) != nullptr)

@@ -2,7 +2,9 @@
 #include <fmt/core.h>
 
 #include <array>
+#include <vector>
 
+#include "stimuli/definition/looks/study_look.h"
 #include "study/app/screens/stage.h"
 #include "study/app/screens/text_size.h"
 
@@ -34,10 +36,34 @@ Outcome draw(const ReadyScreen&, const Visit&, Stage& stage) {
   return std::nullopt;
 }
 
+namespace {
+
+/// A break in which people are asked how they feel; an answer ends it.
+Outcome draw_asking_break(Stage& stage, const LookDefinition& asked, const std::string& text) {
+  Ui& ui = stage.ui;
+  ui.begin_card(40);
+  ui.heading(stage.phrase(Phrase::break_title));
+  ui.paragraph(text);
+  ui.paragraph(asked.comfort_question);
+  std::vector<Ui::ButtonText> labels;
+  labels.reserve(asked.comfort_labels.size());
+  for (std::size_t i = 0; i < asked.comfort_labels.size(); ++i)
+    labels.push_back({fmt::format("comfort-{}", i + 1), asked.comfort_labels[i]});
+  const std::optional<int> used = ui.buttons(labels, false);
+  ui.end_card();
+  if (!used) return std::nullopt;
+  stage.comfort = *used + 1;
+  return Continued{};
+}
+
+}  // namespace
+
 Outcome draw(const BreakScreen&, const Visit& visit, Stage& stage) {
   const std::string text =
       stage.phrase(Phrase::break_text, {{"done", fmt::format("{}", answered_trials(visit.session.trials))},
                                         {"all", fmt::format("{}", most_trials(visit.session.trials))}});
+  if (const LookDefinition* asked = comfort_asked(stage.set.study))
+    return draw_asking_break(stage, *asked, text);
   if (draw_page(stage, stage.phrase(Phrase::break_title), text, stage.phrase(Phrase::continue_button)))
     return Continued{};
   return std::nullopt;

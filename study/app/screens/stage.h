@@ -67,6 +67,7 @@ struct Stage {
   Texture stripes = {};                                         ///< of the gamma pattern
   bool leave = false;                                           ///< the person asked to leave for now
   bool close = false;                                           ///< the last page was closed
+  std::optional<int> comfort = {};  ///< the answer at a break, from 1, that is not yet noted
 
   [[nodiscard]] std::string phrase(Phrase which,
                                    const std::vector<std::pair<std::string, std::string>>& values = {}) const;

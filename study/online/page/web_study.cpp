@@ -173,6 +173,8 @@ Json look_json(const LookDefinition& look, const std::array<double, 2>& start) {
 void add_looks(const WebStudy& web, Json& json) {
   const StudyDefinition& study = web.set.study;
   if (!is_panorama(study)) return;
+  if (const LookDefinition* asked = comfort_asked(study))
+    json["comfort"] = {{"question", asked->comfort_question}, {"labels", asked->comfort_labels}};
   Json looks = Json::array();
   std::map<std::string, Json> of_name;
   for (const auto& [shown, file] : web.pictures.file) {

@@ -64,6 +64,20 @@ function drawPage(app, display, { title, text, button, more = [] }) {
   app.focus("#continue");
 }
 
+/** A page that ends with an answer to how people feel, which is noted with the number of pictures that they have seen. */
+function drawComfort(app, display, { title, text, more }, answered) {
+  const { question, labels } = app.study.comfort;
+  const buttons = labels.map((label, at) => ({
+    text: label,
+    id: "comfort-" + (at + 1),
+    action: () => {
+      app.note("comfort", at + 1 + " " + answered);
+      app.step({ type: "continued" });
+    },
+  }));
+  display.append(card(title, "wide", ...paragraphs(text + "\n\n" + question), buttonRow(buttons), ...more));
+}
+
 export const drawReady = (app, display) =>
   drawPage(app, display, {
     title: app.phrase("ready_title"),
@@ -73,12 +87,14 @@ export const drawReady = (app, display) =>
 
 export function drawBreak(app, display) {
   const { answered, most } = app.visit.session.trials;
-  drawPage(app, display, {
+  const page = {
     title: app.phrase("break_title"),
     text: app.phrase("break_text", { done: answered, all: most }),
     button: app.phrase("continue"),
     more: [...codeWords(app), ...saveWords(app)],
-  });
+  };
+  if (app.study.comfort) drawComfort(app, display, page, answered);
+  else drawPage(app, display, page);
 }
 
 /** By which a participant's answers are found when they want them deleted; nothing before they have one. */
