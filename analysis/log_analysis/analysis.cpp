@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "analysis/log_analysis/adaptive_log.h"
+#include "analysis/log_analysis/few_people.h"
 #include "analysis/log_analysis/headline_rows.h"
 #include "analysis/log_analysis/task_words.h"
 #include "analysis/replication/published_text.h"
@@ -27,9 +28,6 @@ AnalysisDefinition asked_of_log(const study::LogContents& log) {
 }
 
 namespace {
-
-/// Under this many people intervals over participants were seen to fail (documentation/evidence/coverage.md).
-constexpr int fewest_for_intervals = 5;
 
 std::vector<std::string> notes_on_people(const Analysis& analysis) {
   std::vector<std::string> notes;
@@ -63,16 +61,7 @@ std::vector<std::string> notes_on_people(const Analysis& analysis) {
         "With one participant there are no standard errors and no intervals over participants, so no "
         "threshold is determined.");
   const bool rated = asks_ratings(analysis.log);
-  if (counts.used >= 2 && counts.used < fewest_for_intervals && !rated)
-    notes.push_back(fmt::format(
-        "With {} participants little is known of how people differ: intervals over participants are wide, and "
-        "each participant's own thresholds (thresholds_people.csv) say more.",
-        counts.used));
-  if (counts.used >= 2 && counts.used < fewest_for_intervals && rated)
-    notes.push_back(fmt::format(
-        "With {} participants the 95 % intervals hold the truth less often than they say: in simulated "
-        "studies of two to four people those of IP in 59 to 93 %, those of PT and SN in 82 to 98 %.",
-        counts.used));
+  if (std::string few = few_people_sentence(analysis); !few.empty()) notes.push_back(std::move(few));
   for (const ArtifactScores& scores : analysis.data.artifacts)
     if (rated && !analysis.adaptive && levels_on_axis(scores).size() == 4)
       notes.push_back(fmt::format(

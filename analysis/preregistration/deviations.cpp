@@ -117,4 +117,13 @@ std::string verdict_of(const FrozenComparison& comparison) {
                      fmt::join(comparison.thresholds, ", "));
 }
 
+std::string deviations_in_words(const FrozenComparison& comparison) {
+  if (comparison.deviations.empty()) return "Data and analysis were those that were frozen.";
+  std::string list;
+  for (const Deviation& one : comparison.deviations)
+    list += fmt::format("{}{} (frozen: {}; found: {})", list.empty() ? "" : "; ", one.what, one.frozen,
+                        one.found);
+  return fmt::format("Deviations from what was frozen: {}.", list);
+}
+
 }  // namespace seamline::analysis

@@ -40,4 +40,8 @@ struct FrozenComparison {
 /// "Data and analysis are those that were frozen." or how many things deviate; a sentence with the hash.
 [[nodiscard]] std::string verdict_of(const FrozenComparison& comparison);
 
+/// The same for a methods text: "Data and analysis were those that were frozen." or every deviation by name,
+/// with what was frozen and what was found.
+[[nodiscard]] std::string deviations_in_words(const FrozenComparison& comparison);
+
 }  // namespace seamline::analysis

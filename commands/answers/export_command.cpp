@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <optional>
+#include <ranges>
 #include <string>
 
 #include "commands/photographs/x3d_command.h"
@@ -45,7 +47,10 @@ void run_tables(const TablesOptions& options) {
   fmt::print("{}: {} answers of {} participants\n", options.folder, summary.answers, summary.participants);
   if (!summary.anonymity) return;
   const Anonymity& anonymity = *summary.anonymity;
-  for (const GroupedField& field : summary.fields)
+  const auto of_people = [](const GroupedField& field) { return field.smallest_group > 0; };
+  if (!summary.fields.empty() && std::none_of(summary.fields.begin(), summary.fields.end(), of_people))
+    fmt::print("  all participants are simulated: their answers to the form are kept as they are\n");
+  for (const GroupedField& field : summary.fields | std::views::filter(of_people))
     fmt::print("  {}: every answer is shared by at least {}{}{}\n", field.field, field.smallest_group,
                field.withheld_answers > 0 ? fmt::format(", {} withheld", field.withheld_answers) : "",
                field.withheld ? " (so few people that none is kept)" : "");

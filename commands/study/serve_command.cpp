@@ -13,6 +13,7 @@
 #include "study/online/serving/systemd_unit.h"
 #include "study/online/serving/tokens.h"
 #include "support/files/atomic_file.h"
+#include "support/running/standard_streams.h"
 #include "support/text/error.h"
 #include "support/text/number_option.h"
 #include "support/text/printable.h"
@@ -82,8 +83,10 @@ void run_serve(const ServeOptions& options) {
     if (options.tokens.empty())
       throw input_error(
           {.field = "--make-tokens", .wanted = "--tokens FILE for their hashes", .found = "none"});
-    for (const std::string& token : make_tokens(options.make_tokens, options.tokens))
-      fmt::print("{}\n", token);
+    make_tokens(options.make_tokens, options.tokens, [](const std::vector<std::string>& tokens) {
+      for (const std::string& token : tokens) fmt::print("{}\n", token);
+      require_standard_output();  // else there would be hashes of invitations that nobody has
+    });
     return;
   }
   if (!options.code_of.empty()) {

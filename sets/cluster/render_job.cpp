@@ -222,6 +222,8 @@ void take_element(const RenderJob& job, const fs::path& folder, const std::strin
   if (job.instruction_set != RayDevice::instruction_set())
     throw wrong_machine(folder, "a machine with the instruction set", job.instruction_set,
                         RayDevice::instruction_set() + ": its pictures would differ in their last bits");
+  if (job.study_name != study.name)
+    throw wrong_machine(folder, "the study", job.study_name, study.name + ": make the job again");
   if (job.inputs != InputHashes(study, render_settings(study, request)).of_set())
     throw wrong_machine(folder, "the study, scene files and program", job.study_name,
                         "others: make the job again");

@@ -155,6 +155,7 @@ std::vector<FoundMark> read_marks(const fs::path& set_folder) {
   for (const auto& entry : fs::directory_iterator(folder, error)) {
     const fs::path& path = entry.path();
     if (path.extension() != ".json" || path.stem().string().starts_with(".")) continue;
+    if (!entry.is_regular_file(error)) continue;  // a pipe would be waited for
     std::optional<MarkFile> file = read_mark(path);
     if (!file) continue;
     if (locks >= 0 && is_locked(locks, byte_of(file->mark.name)))

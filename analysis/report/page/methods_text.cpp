@@ -6,9 +6,11 @@
 #include <cmath>
 #include <map>
 
+#include "analysis/log_analysis/few_people.h"
 #include "analysis/log_analysis/participant_facts.h"
 #include "analysis/log_analysis/task_words.h"
 #include "analysis/report/figures/figure_parts.h"
+#include "analysis/report/page/methods_references.h"
 #include "analysis/report/page/thresholds_section.h"
 #include "analysis/report/text/adaptive_methods.h"
 #include "analysis/report/text/joint_text.h"
@@ -185,11 +187,10 @@ std::string order_text(const SessionOrder& order) {
 
 /// Why there are so many participants, as it was frozen.
 std::string why_so_many_text(const Analysis& analysis) {
-  if (!analysis.frozen)
-    return "Why so many participants were asked was not preregistered with this analysis.";
-  return fmt::format("The study was preregistered (SHA-256 {}) for {} participants. Why so many: {}",
+  if (!analysis.frozen) return "The number of participants was not preregistered.";
+  return fmt::format("The study was preregistered (SHA-256 {}) for {} participants. Why so many: {} {}",
                      analysis.frozen->sha256.substr(0, 12), analysis.frozen->participants,
-                     analysis.frozen->why_so_many);
+                     analysis.frozen->why_so_many, deviations_in_words(*analysis.frozen));
 }
 
 std::string means_text(const Analysis& analysis, const LevelWords& words) {
@@ -329,51 +330,6 @@ constexpr const char* paragraph_on_planted =
     "and 1 (SN) and falls most steeply (IP), computed on the continuous axis and not from the tested "
     "levels; they test the analysis and are not the values of Table 1 of the paper.";
 
-/// Every work that a method names, by the words the text names it with.
-struct Reference {
-  const char* cited;
-  const char* work;
-};
-constexpr Reference works[] = {
-    {"Agresti, 2010", "Agresti, A. (2010). Analysis of Ordinal Categorical Data, 2nd ed. Wiley."},
-    {"Boos, 1992",
-     "Boos, D. D. (1992). On generalized score tests. The American Statistician, 46(4), 327–333."},
-    {"Barlow et al., 1972",
-     "Barlow, R. E., Bartholomew, D. J., Bremner, J. M., & Brunk, H. D. (1972). Statistical Inference under "
-     "Order Restrictions. Wiley."},
-    {"Dempster, Laird and Rubin, 1977",
-     "Dempster, A. P., Laird, N. M., & Rubin, D. B. (1977). Maximum likelihood from incomplete data via the "
-     "EM algorithm. Journal of the Royal Statistical Society B, 39(1), 1–38."},
-    {"Hesterberg, 2015",
-     "Hesterberg, T. C. (2015). What teachers should know about the bootstrap. The American Statistician, "
-     "69(4), 371–386."},
-    {"Hothorn, Bretz and Westfall, 2008",
-     "Hothorn, T., Bretz, F., & Westfall, P. (2008). Simultaneous inference in general parametric models. "
-     "Biometrical Journal, 50(3), 346–363."},
-    {"ITU-R BT.500",
-     "ITU-R BT.500. Methodologies for the subjective assessment of the quality of television images."},
-    {"Levitt, 1971",
-     "Levitt, H. (1971). Transformed up-down methods in psychoacoustics. The Journal of the Acoustical "
-     "Society of America, 49(2B), 467–477."},
-    {"Watson, 2017",
-     "Watson, A. B. (2017). QUEST+: A general multidimensional Bayesian adaptive psychometric method. "
-     "Journal of Vision, 17(3), 10."},
-    {"Wichmann and Hill, 2001",
-     "Wichmann, F. A., & Hill, N. J. (2001). The psychometric function: I. Fitting, sampling, and goodness "
-     "of fit. Perception & Psychophysics, 63(8), 1293–1313."}};
-
-std::vector<std::string> references_in(const std::vector<std::string>& paragraphs) {
-  std::vector<std::string> references;
-  for (const Reference& reference : works)
-    if (std::any_of(paragraphs.begin(), paragraphs.end(), [&](const std::string& paragraph) {
-          return paragraph.find(reference.cited) != std::string::npos;
-        }))
-      references.emplace_back(reference.work);
-  references.emplace_back(
-      "Visual Perception of Real World Depth Map Resolution for Mixed Reality Rendering.");
-  return references;
-}
-
 }  // namespace
 
 MethodsText methods_text(const Analysis& analysis, const ReportNumbers& numbers) {
@@ -397,6 +353,7 @@ MethodsText methods_text(const Analysis& analysis, const ReportNumbers& numbers)
     if (const std::string answered = answered_text(analysis); !answered.empty())
       paragraphs.push_back(answered);
     if (rated && analysis.counts.used > 1) paragraphs.push_back(intervals_text(analysis, words));
+    if (std::string few = few_people_sentence(analysis); !few.empty()) paragraphs.push_back(std::move(few));
     for (const ChoiceCurve& curve : numbers.choices)
       if (curve.pooled) {
         paragraphs.push_back(choices_text(analysis, curve.band_replicates));

@@ -277,7 +277,8 @@ void OnlineLog::complete(OnlinePerson& person) {
 OnlineLog::Counts OnlineLog::counts() {
   SQLite::Database& database = log_.tables_->database;
   return {.participants = database.execAndGet("SELECT count(*) FROM online_participants").getInt64(),
-          .answers = database.execAndGet("SELECT count(*) FROM answers").getInt64()};
+          .answers = database.execAndGet("SELECT count(*) FROM answers").getInt64(),
+          .deletions = database.execAndGet("SELECT count(*) FROM deletions").getInt64()};
 }
 
 std::vector<OnlineStanding> OnlineLog::standings() {

@@ -116,7 +116,7 @@ class OnlineLog {
 
   /// Rows of people in browsers, and of answers of everybody.
   struct Counts {
-    std::int64_t participants = 0, answers = 0;
+    std::int64_t participants = 0, answers = 0, deletions = 0;
   };
   [[nodiscard]] Counts counts();
   /// Everybody in browsers, in order of arrival.

@@ -27,10 +27,17 @@ HttpResponse error(int status, const std::string& sentence, const std::string& r
   return answer(json, status);
 }
 
-/// Whoever had a secret and was forgotten, and whoever never had one, are the same here: nothing is left of
-/// them.
-HttpResponse nobody() {
-  return error(401, "Authorization: wanted the secret of a participant, found another one", "forgotten");
+/// Whoever had a secret and was forgotten, and whoever never had one, are the same in a log that somebody was
+/// deleted from: nothing is left of them. Where nobody ever was, this is more likely another log than the one
+/// that they answered into: their page waits, and the operator can begin again with the right one.
+HttpResponse nobody(bool anybody_was_deleted) {
+  if (anybody_was_deleted)
+    return error(401, "Authorization: wanted the secret of a participant, found another one", "forgotten");
+  return error(503, "Authorization: the server's log knows nobody of this secret; is it the study's log?");
+}
+
+HttpResponse no_experimenter() {
+  return error(401, "Authorization: wanted the secret of the experimenter, found another one");
 }
 
 int status_of(RefusalKind kind) {
@@ -125,6 +132,7 @@ StudyService::StudyService(const SiteFiles& site, Intake& intake, const ServiceH
       address_rate_(limits.address),
       newcomer_rate_(limits.newcomers),
       code_of_secret_(intake.secrets()),
+      anybody_was_deleted_(intake.counts().deletions > 0),
       participants_(intake.counts().participants),
       answers_(intake.counts().answers),
       log_(intake) {}
@@ -163,10 +171,10 @@ std::optional<HttpResponse> StudyService::admit(const RequestHead& head) {
     return head.content_bytes > static_cast<std::int64_t>(most_line_bytes)
                ? std::optional(error(413, "Content-Length: wanted at most 65536 bytes, found more"))
                : std::nullopt;
-  if (head.path == "/api/watch" ? watch_ == nullptr || !watch_->is_key(head.secret)
-                                : code_of(head.secret).empty())
-    return nobody();
-  return std::nullopt;
+  if (head.path == "/api/watch")
+    return watch_ == nullptr || !watch_->is_key(head.secret) ? std::optional(no_experimenter())
+                                                             : std::nullopt;
+  return code_of(head.secret).empty() ? std::optional(nobody(anybody_was_deleted_)) : std::nullopt;
 }
 
 std::optional<HttpResponse> StudyService::now(const HttpRequest& request) {
@@ -183,9 +191,10 @@ std::optional<HttpResponse> StudyService::now(const HttpRequest& request) {
     if (!newcomer || !may_ask(request, {})) return error(429, "requests: wanted fewer a second, found more");
     return std::nullopt;
   }
-  if (path == "/api/watch" && (watch_ == nullptr || !watch_->is_key(request.head.secret))) return nobody();
+  if (path == "/api/watch" && (watch_ == nullptr || !watch_->is_key(request.head.secret)))
+    return no_experimenter();
   const std::string code = path == "/api/watch" ? "the experimenter" : code_of(request.head.secret);
-  if (code.empty()) return nobody();
+  if (code.empty()) return nobody(anybody_was_deleted_);
   if (!may_ask(request, code)) return error(429, "requests: wanted fewer a second, found more");
   return std::nullopt;
 }

@@ -75,6 +75,7 @@ class StudyService {
   std::map<std::string, std::string> code_of_secret_;  ///< by hash
   std::map<std::string, std::string> fresh_secrets_;   ///< by id of the enrolment, until its secret is used
   std::map<std::string, std::string> fresh_id_;        ///< by code
+  bool anybody_was_deleted_ = false;  ///< of the log, before this server began: `log forget` needs it alone
   std::atomic<std::int64_t> participants_ = 0, answers_ = 0;
   LogThread log_;
 };

@@ -69,7 +69,8 @@ std::string random_letters() {
   return base32(random_bytes<10>());
 }
 
-std::vector<std::string> make_tokens(int count, const fs::path& file) {
+std::vector<std::string> make_tokens(int count, const fs::path& file,
+                                     const std::function<void(const std::vector<std::string>&)>& tell) {
   std::string text = fs::exists(file) ? read_file(file) : std::string();
   if (!text.empty()) (void)read_token_hashes(file);
   std::vector<std::string> tokens;
@@ -77,6 +78,7 @@ std::vector<std::string> make_tokens(int count, const fs::path& file) {
     tokens.push_back(base32(random_bytes<20>()));
     text += sha256(tokens.back()) + "\n";
   }
+  if (tell) tell(tokens);
   write_file_atomically(file, text, Readers::owner);
   return tokens;
 }

@@ -14,8 +14,10 @@ namespace seamline::study::online {
 [[nodiscard]] std::string random_letters();
 
 /// Makes invitations, each good for one participant, and adds their hashes to a file (for its owner alone),
-/// which is made when it is missing. Returns the invitations: they are stored nowhere.
-[[nodiscard]] std::vector<std::string> make_tokens(int count, const std::filesystem::path& file);
+/// which is made when it is missing. Returns the invitations: they are stored nowhere. `tell` gets them
+/// before their hashes are stored; when it throws nothing is stored.
+std::vector<std::string> make_tokens(int count, const std::filesystem::path& file,
+                                     const std::function<void(const std::vector<std::string>&)>& tell = {});
 
 /// The hashes of a file of invitations. Throws InputError when it cannot be read or holds something else.
 [[nodiscard]] std::set<std::string> read_token_hashes(const std::filesystem::path& file);

@@ -10,7 +10,7 @@ import { makeCourier } from "./keeping/courier.js";
 import { findHost, wrongHost } from "./keeping/hosts.js";
 import { runOf } from "./keeping/jatos.js";
 import { onlyTab } from "./keeping/one_tab.js";
-import { cacheAfter, fetchFile, fetchJson, persistently } from "./keeping/patience.js";
+import { cacheAfter, fetchFile, fetchJson, notTheFile, persistently } from "./keeping/patience.js";
 import { askForPersistence, openStore } from "./keeping/store.js";
 import { NotNow, Refused } from "./keeping/verdict.js";
 import { makePictures } from "./pictures.js";
@@ -26,6 +26,8 @@ import { screenPlugin } from "./screens/plugin.js";
 import { emOf, setTextSize } from "./screens/text_size.js";
 import { drawFeedback, drawStudyTrial, drawTraining } from "./screens/trial.js";
 import { card, element, paragraphs } from "./screens/dom.js";
+
+globalThis.seamlineBegan = true; // start.js sees by it that this script is this script
 
 const addressed = new URLSearchParams(location.search + "&" + location.hash.slice(1));
 const token = addressed.get("token");
@@ -91,13 +93,16 @@ const lacksHeadset = async (study) =>
 
 /** The study in one of its languages. */
 async function inLanguage(study, { file }, away) {
-  return file ? { ...study, ...(await persistently(() => fetchJson(file), away)) } : study;
+  return file ? { ...study, ...(await persistently(() => fetchJson(file, { isIt: (json) => json?.texts }), away)) } : study;
 }
 
 async function useFont(study, away) {
   if (!study.font) return;
-  const bytes = await persistently(() => fetchFile(study.font, (response) => response.arrayBuffer()), away);
-  document.fonts.add(await new FontFace("study", bytes).load());
+  const ask = async (failures) => {
+    const bytes = await fetchFile(study.font, (response) => response.arrayBuffer(), cacheAfter(failures));
+    return new FontFace("study", bytes).load().catch(() => Promise.reject(notTheFile(study.font)));
+  };
+  document.fonts.add(await persistently(ask, away));
 }
 
 function speak(study) {
@@ -353,7 +358,7 @@ class Study {
       return placedTrials(due, answered, this.study.most_trials);
     }
     const file = "orders/" + String(identity.slot).padStart(4, "0") + ".json";
-    return plannedTrials(await persistently(() => fetchJson(file), this.away), answered);
+    return plannedTrials(await persistently(() => fetchJson(file, { isIt: Array.isArray }), this.away), answered);
   }
 
   /** Begins, or goes on where the kept messages end. */
@@ -498,7 +503,8 @@ function listenToKeys(app) {
 async function main() {
   await globalThis.seamlineParts?.(); // a host may forbid scripts within pages
   // The words of the first page stand until the study has its own.
-  const own = readStudy(await persistently(() => fetchJson("study.json"), () => {}));
+  const isIt = (json) => typeof json?.format === "string";
+  const own = readStudy(await persistently(() => fetchJson("study.json", { isIt }), () => {}));
   const languages = own.languages ?? [{ tag: own.language }];
   const wishes = [addressed.get("lang"), ...navigator.languages];
   let study = await inLanguage(own, chooseLanguage(languages, wishes), () => {});

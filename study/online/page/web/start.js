@@ -15,6 +15,9 @@
     return part;
   }
 
+  /** Whatever comes in the place of a script (a login page) loads as well, and sets nothing. */
+  const isItself = (part) => !(part.dataset.sets && !(part.dataset.sets in globalThis));
+
   async function bring(lost) {
     for (let failures = 0; ; ++failures) {
       const wait_ms = Math.min(LONGEST_WAIT_MS, FIRST_WAIT_MS * 2 ** failures) * (0.5 + Math.random());
@@ -28,7 +31,7 @@
         part.onerror = () => resolve(false);
         document.head.append(part);
       });
-      if (isThere) return;
+      if (isThere && isItself(part)) return;
       part.remove();
     }
   }
@@ -36,12 +39,9 @@
   /** Resolves when every part that was missing is there. */
   globalThis.seamlineParts = () => Promise.all(brought);
 
-  addEventListener(
-    "error",
-    ({ target }) => {
-      const isPart = target instanceof HTMLScriptElement || (target instanceof HTMLLinkElement && target.rel === "stylesheet");
-      if (isPart && !second.has(target) && target.closest("head") && !globalThis.seamline) brought.push(bring(target));
-    },
-    true
-  );
+  const isPart = (target) =>
+    (target instanceof HTMLScriptElement || (target instanceof HTMLLinkElement && target.rel === "stylesheet")) &&
+    !second.has(target) && target.closest("head") && !globalThis.seamline;
+  addEventListener("error", ({ target }) => void (isPart(target) && brought.push(bring(target))), true);
+  document.addEventListener("load", ({ target }) => void (isPart(target) && !isItself(target) && brought.push(bring(target))), true);
 })();

@@ -47,6 +47,9 @@ export async function persistently(work, away) {
   }
 }
 
+/** Somebody on the way answered in the place of a file: a login page, say. */
+export const notTheFile = (file) => new NotNow(file + ": not the file that was exported");
+
 /** A file of the page, read by `read(response)`. Throws NotNow for every answer but the file. */
 export async function fetchFile(file, read, cache = "no-cache") {
   const response = await fetch(file, { cache, signal: AbortSignal.timeout(FILE_PATIENCE_MS) });
@@ -55,10 +58,15 @@ export async function fetchFile(file, read, cache = "no-cache") {
   try {
     return await read(response);
   } catch (error) {
-    throw error instanceof SyntaxError ? new NotNow(file + ": not the file that was exported") : error;
+    throw error instanceof SyntaxError ? notTheFile(file) : error;
   }
 }
-export const fetchJson = (file, cache) => fetchFile(file, (response) => response.json(), cache);
+/** `isIt(json)`: whether it is that file. */
+export async function fetchJson(file, { cache = "no-cache", isIt = () => true } = {}) {
+  const json = await fetchFile(file, (response) => response.json(), cache);
+  if (!isIt(json)) throw notTheFile(file);
+  return json;
+}
 
 /** How to ask for a file that the browser may have: it also keeps refusals (410 for good), so from the second time on anew. */
 export const cacheAfter = (failures) => (failures === 0 ? "default" : "reload");

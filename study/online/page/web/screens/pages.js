@@ -186,13 +186,14 @@ export function drawDeclined(app, display) {
 
 export function drawStopped(app, display) {
   const { message, reason } = app.visit.screen;
-  if (reason === "forgotten") return drawLast(app, display, app.phrase("stopped_title"), app.phrase("online_forgotten"));
+  const unsent = () => (app.holdsMore() ? saving(app, "online_unsent") : []);
+  if (reason === "forgotten") return drawLast(app, display, app.phrase("stopped_title"), app.phrase("online_forgotten"), unsent());
   if (reason === "excluded")
     return drawLast(app, display, app.phrase("stopped_title"), app.phrase("online_excluded"), codeWords(app));
   if (reason === "full" && app.end) return drawEnd(app, display, "recruitment_ended");
   if (reason === "again") return drawLast(app, display, app.phrase("recruitment_ended"), app.phrase("recruitment_again"));
   // Whom the host did not let in has answered nothing.
   if (app.stream.participant === "") return drawLast(app, display, app.phrase("online_refused_title"), message);
-  const more = [...codeWords(app), ...(app.holdsMore() ? saving(app, "online_unsent") : [])];
+  const more = [...codeWords(app), ...unsent()];
   drawLast(app, display, app.phrase("stopped_title"), app.phrase("online_stopped", { message }), more);
 }
