@@ -96,6 +96,10 @@ TEST_F(ServePeople, WhoeverWasForgottenOrExcludedIsToldWhy) {
   };
   exclude_participant(log, two.page.code);
   EXPECT_EQ(asks(client, two).at("reason"), "excluded");
+  // Nobody was deleted: somebody whom this log does not know answered into another one, and may wait for it.
+  const auto stranger = client.request("GET", "/api/where", {}, std::string(64, 'a'));
+  EXPECT_EQ(stranger->status, 503);
+  EXPECT_FALSE(stranger->json().contains("reason"));
   EXPECT_EQ(server.end(SIGTERM), 0);
   forget_participant(log, one.page.code);
   ServerProcess later(request);

