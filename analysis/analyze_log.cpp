@@ -8,11 +8,11 @@
 
 #include "analysis/log_analysis/analysis.h"
 #include "analysis/log_analysis/no_seam.h"
-#include "analysis/matching/match_report.h"
 #include "analysis/report/figures/figures.h"
 #include "analysis/report/figures/stimulus_samples.h"
 #include "analysis/report/json/report_json.h"
 #include "analysis/report/json/thresholds_json.h"
+#include "analysis/report/matching/match_report.h"
 #include "analysis/report/page/methods_text.h"
 #include "analysis/report/page/report_html.h"
 #include "analysis/report/tables/all_tables.h"

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/analyze_log.h"
-#include "analysis/matching/match_report.h"
+#include "analysis/report/matching/match_report.h"
 #include "study/running/simulation.h"
 #include "support/files/atomic_file.h"
 #include "tests/complaint.h"

@@ -1,4 +1,4 @@
-#include "analysis/matching/match_report.h"
+#include "analysis/report/matching/match_report.h"
 
 #include <fmt/format.h>
 

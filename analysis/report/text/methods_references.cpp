@@ -1,4 +1,4 @@
-#include "analysis/report/page/methods_references.h"
+#include "analysis/report/text/methods_references.h"
 
 #include <algorithm>
 
