@@ -27,7 +27,7 @@ struct MeanOverPeople {
   Interval ci95{.low = nan, .high = nan};
 };
 
-MeanOverPeople mean_over_people(const std::vector<double>& values) {
+MeanOverPeople mean_of_observers(const std::vector<double>& values) {
   const auto n = static_cast<double>(values.size());
   double sum = 0, squares = 0;
   for (const double value : values) sum += value;
@@ -75,7 +75,7 @@ SignalDetection signal_detection(const Analysis& analysis) {
         row.hits += counts.share() / static_cast<double>(cell->second.size());
       }
       row.people = static_cast<int>(d_primes.size());
-      const MeanOverPeople d_prime = mean_over_people(d_primes), criterion = mean_over_people(criteria);
+      const MeanOverPeople d_prime = mean_of_observers(d_primes), criterion = mean_of_observers(criteria);
       row.d_prime = d_prime.mean;
       row.d_prime_ci95 = d_prime.ci95;
       row.criterion = criterion.mean;
