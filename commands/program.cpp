@@ -58,7 +58,7 @@ namespace {
 /// `lab`: what shows how well the program itself works, and what only figures of the papers need.
 void add_lab(CLI::App& app, bool& any_case_failed) {
   CLI::App* lab =
-      app.add_subcommand("lab", "evidence; bench, convergence, stability; scenes; marker, person, field");
+      app.add_subcommand("lab", "evidence, bench, convergence, stability; scenes, marker, person...");
   lab->require_subcommand(1);
   laboratory::add_evidence_command(*lab);
   renderer::add_bench_command(*lab);

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "analysis/log_analysis/adaptive_log.h"
-#include "analysis/log_analysis/few_people.h"
 #include "analysis/log_analysis/headline_rows.h"
+#include "analysis/log_analysis/participant_facts.h"
 #include "analysis/log_analysis/task_words.h"
 #include "analysis/replication/published_text.h"
 #include "analysis/screening/catch_answers.h"

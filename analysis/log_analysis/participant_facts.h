@@ -21,4 +21,8 @@ namespace seamline::analysis {
 /// nobody was asked.
 [[nodiscard]] ParticipantGroups technical_groups(const Analysis& analysis);
 
+/// What two to four participants mean for intervals, as a sentence of report and methods text; empty for more
+/// people, and for one.
+[[nodiscard]] std::string few_people_sentence(const Analysis& analysis);
+
 }  // namespace seamline::analysis

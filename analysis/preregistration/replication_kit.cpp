@@ -10,7 +10,6 @@
 #include "stimuli/definition/study_definition.h"
 #include "study/trials/participant_trials.h"
 #include "support/files/atomic_file.h"
-#include "support/files/temporary_folder.h"
 #include "support/text/csv.h"
 #include "support/text/error.h"
 
@@ -147,25 +146,24 @@ void write_replication_kit(const KitRequest& request) {
   const std::string consent = replaced(
       set.study.consent.text, "[MINUTES]",
       fmt::format("{} to {}", whole_minutes(trials, quick_trial_s), whole_minutes(trials, slow_trial_s)));
-  const TemporaryFolder whole(request.folder);  // the folder comes with all its files, or not at all
-  write_file_atomically(whole / "study.toml", archive.content.study_text);
-  write_file_atomically(whole / "frozen.json", read_file(request.archive));
-  write_file_atomically(whole / "consent.txt", consent + "\n");
+  const auto write = [&](const char* name, const std::string& text) {
+    write_file_atomically(request.folder / name, text);
+  };
+  const std::string page = steps(archive,
+                                 {.adaptive = study::make_trial_rules(set).quest_plus != nullptr,
+                                  .trials = trials,
+                                  .to_fill_in = left_to_fill_in(consent),
+                                  .files = files_of(set.study)},
+                                 request);
+  prepare_output_folder(request.folder);
+  write("study.toml", archive.content.study_text);
+  write("frozen.json", read_file(request.archive));
+  write("consent.txt", consent + "\n");
   if (!request.published.empty())
-    write_file_atomically(whole / "published.csv",
-                          request.published == published_paper_word
-                              ? csv_text(published_table(read_published(request.published)))
-                              : read_file(request.published));
-  write_file_atomically(whole / "README.md",
-                        steps(archive,
-                              {.adaptive = study::make_trial_rules(set).quest_plus != nullptr,
-                               .trials = trials,
-                               .to_fill_in = left_to_fill_in(consent),
-                               .files = files_of(set.study)},
-                              request));
-  std::filesystem::create_directories(request.folder);
-  for (const auto& entry : std::filesystem::directory_iterator(whole.path()))
-    std::filesystem::rename(entry.path(), request.folder / entry.path().filename());
+    write("published.csv", request.published == published_paper_word
+                               ? csv_text(published_table(read_published(request.published)))
+                               : read_file(request.published));
+  write("README.md", page);
 }
 
 }  // namespace seamline::analysis

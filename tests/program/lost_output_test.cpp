@@ -144,6 +144,7 @@ const std::map<std::string, std::string> short_ways = {
     {"lab scenes", "arcades --count 1 --out {out}"},
     {"observe", "--help"},
     {"lab field", "{in}/cube.gltf --out {out}.png"},
+    {"lab evidence", ""},
     {"lab bench", "--quick --only capture --threads 1"},
     {"ask", "{study} --log {out}.sqlite --participant p01"},
     {"serve", "--make-tokens 1 --tokens {out}"},

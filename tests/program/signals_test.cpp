@@ -274,9 +274,10 @@ TEST(Signals, AreTriedOnEveryCommand) {
   // One step each, done or not.
   tried.merge(std::set<std::string>{"log exclude", "log forget", "log identifiers", "log forget-identifiers",
                                     "log backup", "log tracks", "log upgrade", "job status", "export video"});
-  tried.insert("job piece");  // Cluster.* and ClusterScripts.*
-  tried.insert("ask");        // it waits for lines, of which these commands get none: Ask.*
-  tried.insert("serve");      // a signal is its only end, and a good one: tests/online
+  tried.insert("job piece");     // Cluster.* and ClusterScripts.*
+  tried.insert("ask");           // it waits for lines, of which these commands get none: Ask.*
+  tried.insert("lab evidence");  // other commands do its work, and are tried here
+  tried.insert("serve");         // a signal is its only end, and a good one: tests/online
   std::set<std::string> listed;
   bool failed = false;
   const std::unique_ptr<CLI::App> app = program(failed);

@@ -13,6 +13,7 @@
 int main(int, char** arguments) try {
   using namespace seamline;  // NOLINT(google-build-using-namespace): a program of its own
   const std::filesystem::path folder = arguments[2];
+  std::filesystem::remove_all(folder);  // of a run before
   std::filesystem::create_directories(folder);
 
   // A room 3 m around the camera, photographed as a panorama that is its own light.

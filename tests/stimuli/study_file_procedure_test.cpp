@@ -196,9 +196,10 @@ TEST(StudyFileProcedure, EverySettingIsInTheHash) {
 }
 
 TEST(StudyFileProcedure, RefusesWhatIsWrongInOneSentence) {
-  EXPECT_THAT(complaint_of_procedure("procedure = \"staircase\"", ""),
-              testing::AllOf(HasSubstr("study.toml: procedure"), HasSubstr("\"constant\" or \"quest_plus\""),
-                             HasSubstr("\"staircase\"")));
+  EXPECT_THAT(
+      complaint_of_procedure("procedure = \"ladder\"", ""),
+      testing::AllOf(HasSubstr("study.toml: procedure"), HasSubstr("\"constant\""),
+                     HasSubstr("\"quest_plus\""), HasSubstr("\"staircase\""), HasSubstr("\"ladder\"")));
   EXPECT_THAT(complaint_of_procedure(adaptive, ""), HasSubstr("[quest_plus]"));
   EXPECT_THAT(complaint_of_procedure(adaptive, "[quest_plus]\n"),
               HasSubstr("quest_plus.max_shows_per_image"));

@@ -6,8 +6,8 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "analysis/matching/match_figure.h"
 #include "analysis/report/json/json_values.h"
+#include "analysis/report/matching/match_figure.h"
 #include "analysis/report/page/html_parts.h"
 #include "analysis/report/page/page_style.h"
 #include "analysis/scores/level_axis.h"

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <map>
 
-#include "analysis/log_analysis/few_people.h"
 #include "analysis/log_analysis/participant_facts.h"
 #include "analysis/log_analysis/task_words.h"
 #include "analysis/report/figures/figure_parts.h"

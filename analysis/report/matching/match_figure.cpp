@@ -1,4 +1,4 @@
-#include "analysis/matching/match_figure.h"
+#include "analysis/report/matching/match_figure.h"
 
 #include <fmt/format.h>
 
