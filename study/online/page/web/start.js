@@ -15,8 +15,9 @@
     return part;
   }
 
-  /** Whatever comes in the place of a script (a login page) loads as well, and sets nothing. */
-  const isItself = (part) => !(part.dataset.sets && !(part.dataset.sets in globalThis));
+  /** Whatever comes in the place of a script or a style (a login page) loads as well, and sets nothing and has no rules. */
+  const isItself = (part) =>
+    part.localName === "script" ? !part.dataset.sets || part.dataset.sets in globalThis : (part.sheet?.cssRules.length ?? 0) > 0;
 
   async function bring(lost) {
     for (let failures = 0; ; ++failures) {
