@@ -89,7 +89,7 @@ std::optional<StopReason> stop_reason(const QuestPlusProcedure& procedure, const
 /// Learns from the answer to a stimulus, without looking for the next.
 void take_in(QuestPlusProcedure& procedure, int stimulus, const TrialAnswer& answer) {
   const QuestPlusDesign& design = *procedure.design;
-  const QuestPlusDesign::Place& place = design.places[static_cast<std::size_t>(stimulus)];
+  const TrackPlace& place = design.places[static_cast<std::size_t>(stimulus)];
   QuestPlusTrack& track = procedure.tracks[static_cast<std::size_t>(place.track)];
   const TrackDesign& track_design = design.tracks[static_cast<std::size_t>(place.track)];
   learn(track.posterior, *track_design.tables, place.level,

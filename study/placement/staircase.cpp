@@ -5,8 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <map>
-#include <tuple>
+#include <utility>
 
 #include "support/arithmetic/random.h"
 
@@ -15,42 +14,16 @@ namespace {
 
 constexpr std::size_t reversals_left_out = 2;
 
-/// Curves without levels and images, and the curve of each stimulus.
-void find_curves(StaircaseDesign& design, const std::vector<Stimulus>& stimuli) {
-  std::map<std::tuple<Artifact, std::string, std::string, std::string>, int> curve_of;
-  for (std::size_t i = 0; i < stimuli.size(); ++i) {
-    const Stimulus& stimulus = stimuli[i];
-    const bool alone = design.definition.by_object;
-    const std::string scene = alone ? stimulus.scene : "", object = alone ? stimulus.object : "";
-    const auto [found, is_new] = curve_of.try_emplace({stimulus.artifact, scene, object, stimulus.condition},
-                                                      static_cast<int>(design.curves.size()));
-    if (is_new)
-      design.curves.push_back({.artifact = stimulus.artifact,
-                               .scene = scene,
-                               .object = object,
-                               .condition = stimulus.condition,
-                               .levels = {},
-                               .images = {}});
-    design.places[i] = {.curve = found->second, .level = 0, .object_index = stimulus.object_index};
+/// Turns rising levels into levels from where most is seen to where least is.
+void begin_where_most_is_seen(StaircaseDesign& design, Direction noticeability) {
+  if (noticeability == Direction::decreasing) return;
+  for (StimulusTrack& curve : design.curves) {
+    std::reverse(curve.levels.begin(), curve.levels.end());
+    std::reverse(curve.images.begin(), curve.images.end());
   }
-}
-
-/// Sorts the stimuli of each curve by what is seen, most first.
-void sort_levels(StaircaseDesign& design, const std::vector<Stimulus>& stimuli, Direction noticeability) {
-  for (std::size_t c = 0; c < design.curves.size(); ++c) {
-    std::map<double, std::vector<int>> images;  // by a number that grows as less is seen
-    for (std::size_t i = 0; i < stimuli.size(); ++i)
-      if (design.places[i].curve == static_cast<int>(c))
-        images[noticeability == Direction::decreasing ? stimuli[i].level : -stimuli[i].level].push_back(
-            static_cast<int>(i));
-    for (const auto& [hidden, of_level] : images) {
-      for (const int image : of_level)
-        design.places[static_cast<std::size_t>(image)].level =
-            static_cast<int>(design.curves[c].levels.size());
-      design.curves[c].levels.push_back(std::abs(hidden));
-      design.curves[c].images.push_back(of_level);
-    }
-  }
+  for (TrackPlace& place : design.places)
+    place.level = static_cast<int>(design.curves[static_cast<std::size_t>(place.track)].levels.size()) - 1 -
+                  place.level;
 }
 
 int nearest_level(const std::vector<double>& levels, double wanted) {
@@ -84,7 +57,7 @@ std::optional<NextStep> next_step(const StaircaseProcedure& procedure) {
   if (turn.empty()) return std::nullopt;
   Random random(procedure.seed, static_cast<std::uint64_t>(procedure.answered));
   const std::size_t which = turn[static_cast<std::size_t>(random.below(turn.size()))];
-  const StaircaseCurve& curve =
+  const StimulusTrack& curve =
       procedure.design->curves[static_cast<std::size_t>(procedure.design->starts[which].curve)];
   const std::vector<int>& images = curve.images[static_cast<std::size_t>(procedure.stairs[which].level)];
   const auto shows = [&](int image) { return procedure.shows[static_cast<std::size_t>(image)]; };
@@ -102,10 +75,10 @@ void take_in_step(StaircaseProcedure& procedure, const StaircaseAnswer& answer) 
   const std::optional<NextStep> step = next_step(procedure);
   ++procedure.shows[static_cast<std::size_t>(answer.stimulus)];
   if (!step) return;
-  const StaircaseDesign::Place& place = procedure.design->places[static_cast<std::size_t>(answer.stimulus)];
+  const TrackPlace& place = procedure.design->places[static_cast<std::size_t>(answer.stimulus)];
   Staircase& stairs = procedure.stairs[step->staircase];
   const int curve = procedure.design->starts[step->staircase].curve;
-  if (place.curve == curve) stairs.level = place.level;
+  if (place.track == curve) stairs.level = place.level;
   const auto levels =
       static_cast<int>(procedure.design->curves[static_cast<std::size_t>(curve)].levels.size());
   stairs = after_answer(std::move(stairs), answer.correct, levels, procedure.design->definition);
@@ -121,12 +94,12 @@ void decide_next(StaircaseProcedure& procedure) {
 
 StaircaseDesign make_staircase_design(const StaircaseDefinition& definition, Direction noticeability,
                                       const std::vector<Stimulus>& stimuli) {
+  StimulusTracks found = tracks_of(stimuli, definition.by_object);
   StaircaseDesign design{.definition = definition,
-                         .curves = {},
-                         .places = std::vector<StaircaseDesign::Place>(stimuli.size()),
+                         .curves = std::move(found.tracks),
+                         .places = std::move(found.places),
                          .starts = {}};
-  find_curves(design, stimuli);
-  sort_levels(design, stimuli, noticeability);
+  begin_where_most_is_seen(design, noticeability);
   for (std::size_t c = 0; c < design.curves.size(); ++c) {
     const int curve = static_cast<int>(c);
     if (definition.start.empty()) design.starts.push_back({.curve = curve, .level = 0});
@@ -191,7 +164,7 @@ int most_trials(const StaircaseProcedure& procedure) {
   return trials;
 }
 
-std::optional<double> reversals_mean(const Staircase& stairs, const StaircaseCurve& curve, Axis axis) {
+std::optional<double> reversals_mean(const Staircase& stairs, const StimulusTrack& curve, Axis axis) {
   if (stairs.reversals.size() < reversals_left_out + 2) return std::nullopt;
   const std::size_t left = stairs.reversals.size() - reversals_left_out, used = left - left % 2;
   double sum = 0;

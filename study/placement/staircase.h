@@ -8,30 +8,20 @@
 #include "stimuli/definition/axis.h"
 #include "stimuli/definition/parts/staircase_definition.h"
 #include "stimuli/definition/stimulus.h"
+#include "study/placement/stimulus_tracks.h"
 #include "study/placement/trial.h"
 
 namespace seamline::study {
 
-/// The stimuli that share staircases, and where these begin.
-struct StaircaseCurve {
-  Artifact artifact = Artifact::none;
-  std::string scene, object, condition;  ///< scene and object are empty where all objects share it
-  std::vector<double> levels;            ///< from where most is seen to where least is
-  std::vector<std::vector<int>> images;  ///< for each level, the stimuli (indices into the set) that show it
-};
-
 /// What does not change in a session; shared by all participants.
 struct StaircaseDesign {
-  struct Place {
-    int curve = 0, level = 0, object_index = 0;
-  };
   struct Start {
     int curve = 0, level = 0;
   };
   StaircaseDefinition definition;
-  std::vector<StaircaseCurve> curves;  ///< in the order of their first stimulus
-  std::vector<Place> places;           ///< of each stimulus
-  std::vector<Start> starts;           ///< one a staircase; those of a curve follow each other
+  std::vector<StimulusTrack> curves;  ///< levels from where most is seen to where least is
+  std::vector<TrackPlace> places;     ///< of each stimulus
+  std::vector<Start> starts;          ///< one a staircase; those of a curve follow each other
 };
 
 /// `noticeability`: as the level grows. A start that a curve does not have is moved to its nearest level.
@@ -90,7 +80,7 @@ struct StaircaseAnswer {
 /// The mean of the levels, on the axis, at which a staircase turned: the last even number of its reversals
 /// without the first two. None where fewer than two are left. It approaches the level that is answered
 /// rightly with `staircase_target`.
-[[nodiscard]] std::optional<double> reversals_mean(const Staircase& stairs, const StaircaseCurve& curve,
+[[nodiscard]] std::optional<double> reversals_mean(const Staircase& stairs, const StimulusTrack& curve,
                                                    Axis axis);
 
 /// The share of right answers p at which the staircase is as likely to go one way as the other: of D right in

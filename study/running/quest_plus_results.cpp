@@ -7,6 +7,7 @@
 #include "stimuli/study_file/study_file.h"
 #include "study/placement/placed_answer.h"
 #include "study/placement/quest_plus_model.h"
+#include "study/running/stimulus_numbers.h"
 #include "support/text/error.h"
 
 namespace seamline::study {
@@ -63,20 +64,13 @@ std::vector<TrackEstimate> quest_plus_estimates(const LogContents& log) {
   const std::vector<Stimulus> stimuli = list_stimuli(study);
   const auto design =
       std::make_shared<QuestPlusDesign>(make_quest_plus_design(definition_of(study, log), stimuli));
-  std::map<std::string, int> number_of;
-  for (std::size_t i = 0; i < stimuli.size(); ++i) number_of[stimulus_id(stimuli[i])] = static_cast<int>(i);
+  const StimulusNumbers number(stimuli, log.file);
 
   const QuestPlusProcedure fresh = begin_quest_plus(design, 0);
   std::map<std::string, std::pair<std::vector<int>, std::vector<TrialAnswer>>> trials_of;
   for (const Answer& answer : log.answers) {
-    const auto found = number_of.find(answer.stimulus_id);
-    if (found == number_of.end())
-      throw input_error({.file = log.file.string(),
-                         .field = "stimuli",
-                         .wanted = "a stimulus of the study",
-                         .found = "\"" + answer.stimulus_id + "\""});
     auto& [shown, answers] = trials_of[answer.participant];
-    shown.push_back(found->second);
+    shown.push_back(number.of(answer.stimulus_id));
     answers.push_back(placed_answer(
         {.trial_index = answer.trial_index, .chosen_index = answer.chosen_index, .rating = answer.rating},
         answer.right_index, answer.object_index));

@@ -8,21 +8,11 @@
 
 #include "stimuli/definition/parts/task_definition.h"
 #include "stimuli/study_file/study_file.h"
+#include "study/running/stimulus_numbers.h"
 #include "study/trials/participant_trials.h"
 #include "support/text/error.h"
 
 namespace seamline::study {
-namespace {
-
-std::string name_of_staircase(const StaircaseCurve& curve, double start) {
-  std::string name(word(curve.artifact));
-  for (const std::string& part : {curve.scene, curve.object, curve.condition})
-    if (!part.empty()) name += " " + part;
-  return name + fmt::format(" from {:g}", start);
-}
-
-}  // namespace
-
 bool has_staircases(const LogContents& log) {
   return log.task && log.task->staircase;
 }
@@ -37,17 +27,11 @@ std::vector<StaircaseEstimate> staircase_estimates(const LogContents& log) {
   const std::vector<Stimulus> stimuli = list_stimuli(study);
   const auto design = std::make_shared<const StaircaseDesign>(
       make_staircase_design(*log.task->staircase, study.level.noticeability, stimuli));
-  std::map<std::string, int> number_of;
-  for (std::size_t i = 0; i < stimuli.size(); ++i) number_of[stimulus_id(stimuli[i])] = static_cast<int>(i);
+  const StimulusNumbers number(stimuli, log.file);
   std::map<std::string, std::vector<StaircaseAnswer>> answers_of;
   for (const Answer& answer : log.answers) {
-    const auto found = number_of.find(answer.stimulus_id);
-    if (found == number_of.end())
-      throw input_error({.file = log.file.string(),
-                         .field = "stimuli",
-                         .wanted = "a stimulus of the study",
-                         .found = "\"" + answer.stimulus_id + "\""});
-    answers_of[answer.participant].push_back({.stimulus = found->second, .correct = answer.correct()});
+    answers_of[answer.participant].push_back(
+        {.stimulus = number.of(answer.stimulus_id), .correct = answer.correct()});
   }
   const double target = staircase_target(design->definition);
   const Axis axis = facts(study.level.quantity).axis;
@@ -58,7 +42,7 @@ std::vector<StaircaseEstimate> staircase_estimates(const LogContents& log) {
                           answers_of[participant.code], std::nullopt);
     for (std::size_t i = 0; i < procedure.stairs.size(); ++i) {
       const StaircaseDesign::Start& start = design->starts[i];
-      const StaircaseCurve& curve = design->curves[static_cast<std::size_t>(start.curve)];
+      const StimulusTrack& curve = design->curves[static_cast<std::size_t>(start.curve)];
       const Staircase& stairs = procedure.stairs[i];
       const double from = curve.levels[static_cast<std::size_t>(start.level)];
       const std::optional<double> mean = reversals_mean(stairs, curve, axis);
@@ -66,7 +50,7 @@ std::vector<StaircaseEstimate> staircase_estimates(const LogContents& log) {
           {.participant = participant.code,
            .artifact = curve.artifact,
            .condition = curve.condition,
-           .track = name_of_staircase(curve, from),
+           .track = fmt::format("{} from {:g}", name_of(curve), from),
            .used = participant.completed && !participant.excluded && !participant.pilot,
            .start = from,
            .trials = stairs.answered,

@@ -95,7 +95,7 @@ TEST_F(QuestPlusProcedureTest, TracksHoldWhatIsRendered) {
   EXPECT_EQ(other.tracks[0].tables, other.tracks[1].tables) << "same widths, same tables";
   for (const QuestPlusDesign* design : {&one, &other})
     for (std::size_t i = 0; i < stimuli.size(); ++i) {
-      const QuestPlusDesign::Place& place = design->places[i];
+      const TrackPlace& place = design->places[i];
       const TrackDesign& track = design->tracks[static_cast<std::size_t>(place.track)];
       EXPECT_EQ(track.artifact, stimuli[i].artifact);
       EXPECT_EQ(track.levels[static_cast<std::size_t>(place.level)], stimuli[i].level);
@@ -123,7 +123,7 @@ TEST_F(QuestPlusProcedureTest, ImagesOfAWidthTakeTurns) {
   const Run all = run(begin(definition()), true);
   for (std::size_t trial = 0; trial < all.shown.size(); ++trial) {
     const QuestPlusProcedure& before = all.before[trial];
-    const QuestPlusDesign::Place& place = before.design->places[static_cast<std::size_t>(all.shown[trial])];
+    const TrackPlace& place = before.design->places[static_cast<std::size_t>(all.shown[trial])];
     for (const int image : before.design->tracks[static_cast<std::size_t>(place.track)]
                                .images[static_cast<std::size_t>(place.level)])
       EXPECT_GE(before.shows[static_cast<std::size_t>(image)],
@@ -135,7 +135,7 @@ TEST_F(QuestPlusProcedureTest, TheWidthIsTheOneThatLeavesTheLeastEntropy) {
   const Run all = run(begin(definition(1000)), true);
   for (std::size_t trial = 0; trial < all.shown.size(); ++trial) {
     const QuestPlusProcedure& before = all.before[trial];
-    const QuestPlusDesign::Place& place = before.design->places[static_cast<std::size_t>(all.shown[trial])];
+    const TrackPlace& place = before.design->places[static_cast<std::size_t>(all.shown[trial])];
     const std::vector<double> expected =
         expected_entropies_nats(*before.design->tracks[static_cast<std::size_t>(place.track)].tables,
                                 before.tracks[static_cast<std::size_t>(place.track)].posterior);

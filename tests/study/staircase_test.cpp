@@ -55,7 +55,7 @@ TEST(Staircase, EndsAfterItsLastTrialAndStaysWithinTheLevels) {
 }
 
 TEST(Staircase, TheMeanOfReversalsLeavesOutTheFirstTwoAndAnOddOne) {
-  StaircaseCurve curve;
+  StimulusTrack curve;
   curve.levels = {16, 32, 64, 128, 256};
   Staircase stairs;
   stairs.reversals = {4, 0, 2, 1};
