@@ -133,12 +133,12 @@ std::string threshold_lines_html(const MatchAnalysis& analysis) {
   std::vector<HtmlColumn> columns = {{"curve"},
                                      {"just seen", true},
                                      {"95 % interval", true},
-                                     {"participants", true},
+                                     {"people", true},
                                      {"matches", true},
                                      {"at an end", true},
                                      {"SD of people", true},
                                      {"SD of a match", true},
-                                     {"effect of the start", true}};
+                                     {"start effect", true}};
   if (planted) columns.push_back({"planted", true});
   return html_table(columns, lines);
 }
@@ -155,7 +155,7 @@ std::string person_lines_html(const MatchAnalysis& analysis) {
                      {"SD of a match", true},
                      {"matches", true},
                      {"at an end", true},
-                     {"effect of the start", true}},
+                     {"start effect", true}},
                     lines);
 }
 
@@ -194,9 +194,9 @@ std::string match_page(const MatchAnalysis& analysis, const std::vector<Figure>&
   }
   html +=
       "</header>\n<h2 id=\"thresholds\">Matched levels</h2>\n" + threshold_lines_html(analysis) +
-      html_paragraph("Standard deviations (SD) and the effect of the start are in " +
+      html_paragraph("Standard deviations (SD) and the start effect are in " +
                      length_unit(axis_of(analysis)) +
-                     ". An effect of the start over 0 says that matches which began with a clear seam ended "
+                     ". A start effect over 0 says that matches which began with a clear seam ended "
                      "at larger levels than those which began with a faint one.") +
       figure_html(figures, "matches") + "<h2 id=\"participants\">Each participant</h2>\n" +
       person_lines_html(analysis) + "<h2 id=\"methods\">Methods</h2>\n<div class=\"quote\">\n" +
