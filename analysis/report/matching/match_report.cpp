@@ -192,18 +192,17 @@ std::string match_page(const MatchAnalysis& analysis, const std::vector<Figure>&
     for (const std::string& note : analysis.notes) html += "<li>" + html_escape(note) + "</li>\n";
     html += "</ul>\n";
   }
-  html +=
-      "</header>\n<h2 id=\"thresholds\">Matched levels</h2>\n" + threshold_lines_html(analysis) +
-      html_paragraph("Standard deviations (SD) and the start effect are in " +
-                     length_unit(axis_of(analysis)) +
-                     ". A start effect over 0 says that matches which began with a clear seam ended "
-                     "at larger levels than those which began with a faint one.") +
-      figure_html(figures, "matches") + "<h2 id=\"participants\">Each participant</h2>\n" +
-      person_lines_html(analysis) + "<h2 id=\"methods\">Methods</h2>\n<div class=\"quote\">\n" +
-      html_paragraph(match_methods(analysis)) + "</div>\n<h2 id=\"data\">Data</h2>\n" +
-      "<p>Every number of this page is beside it: <code>thresholds.json</code>, "
-      "<code>thresholds.csv</code>, <code>thresholds_people.csv</code>, and every single match in "
-      "<code>matches.csv</code>; <code>data_dictionary.csv</code> explains the columns.</p>\n";
+  html += "</header>\n<h2 id=\"thresholds\">Matched levels</h2>\n" + threshold_lines_html(analysis) +
+          html_paragraph("Standard deviations (SD) and the start effect are in " +
+                         length_unit(axis_of(analysis)) +
+                         ". A start effect over 0 says that matches which began with a clear seam ended "
+                         "at larger levels than those which began with a faint one.") +
+          figure_html(figures, "matches") + "<h2 id=\"participants\">Each participant</h2>\n" +
+          person_lines_html(analysis) + "<h2 id=\"methods\">Methods</h2>\n<div class=\"quote\">\n" +
+          html_paragraph(match_methods(analysis)) + "</div>\n<h2 id=\"data\">Data</h2>\n" +
+          "<p>Every number of this page is beside it: <code>thresholds.json</code>, "
+          "<code>thresholds.csv</code>, <code>thresholds_people.csv</code>, and every single match in "
+          "<code>matches.csv</code>; <code>data_dictionary.csv</code> explains the columns.</p>\n";
   return html + "</body>\n</html>\n";
 }
 
