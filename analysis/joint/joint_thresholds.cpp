@@ -96,14 +96,26 @@ double first_outside(double from, double to, const Inside& inside) {
   return to > from ? infinity : -infinity;
 }
 
+/// `level_pivot`, with the floor that is the same at every level.
+double pivot_above(const MeanAtX& floor, const JointFit& fit, const JointJackknife& left_out, int curve,
+                   const SoughtMean& sought, double x) {
+  const MeanAtX at = mean_at_x(fit.model, fit.theta, curve, sought.mean, x);
+  const double above = at.value - floor.value, wanted = sought.level - floor.value;
+  if (!(above > 0) || !(wanted > 0)) return 0;
+  const Eigen::VectorXd gradient = (at.gradient - floor.gradient) / above + floor.gradient / wanted;
+  const double of_form = form_error * gradient[fit.model.log_scale(curve)];
+  return std::log(above / wanted) / std::hypot(standard_error_of(gradient, left_out), of_form);
+}
+
 LevelInterval interval_of(const JointFit& fit, const JointJackknife& left_out, int curve,
                           JointQuantity quantity, const RoughPlace& rough, double t,
                           const LevelInterval& range) {
   const double x = rough.place->x;
   const std::optional<SoughtMean> sought = sought_mean(quantity);
   if (!sought) return interval_within(x, t * rough.standard_error, range);
+  const MeanAtX floor = floor_at(fit.model, fit.theta, curve, sought->mean);
   const auto inside = [&](double at) {
-    return std::abs(level_pivot(fit, left_out, curve, *sought, at)) <= t;
+    return std::abs(pivot_above(floor, fit, left_out, curve, *sought, at)) <= t;
   };
   LevelInterval interval;
   if (x > range.low_x) interval.low_x = first_outside(x, range.low_x, inside);
@@ -172,13 +184,8 @@ double pointwise_t(const JointFit& fit) {
 
 double level_pivot(const JointFit& fit, const JointJackknife& left_out, int curve, const SoughtMean& sought,
                    double x) {
-  const MeanAtX at = mean_at_x(fit.model, fit.theta, curve, sought.mean, x);
   const MeanAtX floor = floor_at(fit.model, fit.theta, curve, sought.mean);
-  const double above = at.value - floor.value, wanted = sought.level - floor.value;
-  if (!(above > 0) || !(wanted > 0)) return 0;
-  const Eigen::VectorXd gradient = (at.gradient - floor.gradient) / above + floor.gradient / wanted;
-  const double of_form = form_error * gradient[fit.model.log_scale(curve)];
-  return std::log(above / wanted) / std::hypot(standard_error_of(gradient, left_out), of_form);
+  return pivot_above(floor, fit, left_out, curve, sought, x);
 }
 
 JointThreshold joint_threshold(const JointFit& fit, const JointData& data, const JointJackknife& left_out,

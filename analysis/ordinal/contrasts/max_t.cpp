@@ -69,11 +69,12 @@ MaxAbsT::MaxAbsT(const Eigen::MatrixXd& correlation, double degrees_of_freedom)
   std::vector<const Eigen::VectorXd*> axes;
   for (Eigen::Index d = 0; d < dimension_; ++d) axes.push_back(&lattice_axis(d));
   std::vector<double> all(lattice_points);
-  Eigen::VectorXd direction(dimension_);
+  Eigen::VectorXd direction(dimension_), contrasts(count_);
   for (int point = 0; point < lattice_points; ++point) {
     for (Eigen::Index d = 0; d < dimension_; ++d) direction[d] = (*axes[static_cast<std::size_t>(d)])[point];
     const double length = direction.norm();
-    all[static_cast<std::size_t>(point)] = length > 0 ? (root * direction).cwiseAbs().maxCoeff() / length : 0;
+    contrasts.noalias() = root * direction;
+    all[static_cast<std::size_t>(point)] = length > 0 ? contrasts.cwiseAbs().maxCoeff() / length : 0;
   }
   std::sort(all.begin(), all.end());
   constexpr int per_share = lattice_points / shares;
