@@ -52,7 +52,8 @@ struct JointFit {
 };
 
 /// The maximum of likelihood and penalty: thresholds from a grid for each of a few scales and rating
-/// criteria, Newton's method from each of these: the best start need not lead to the highest top. The same
+/// criteria, Newton's method from each of these: the best start need not lead to the highest top. Where they
+/// end at different tops, the search goes on around the highest, by random moves of a fixed seed. The same
 /// bits for any number of threads. Throws InputError as check_joint_data.
 [[nodiscard]] JointFit fit_joint(const JointData& data, const JointSharing& sharing = {});
 

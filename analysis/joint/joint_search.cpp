@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "analysis/joint/joint_fit.h"
+#include "support/arithmetic/random.h"
 #include "support/text/numbers.h"
 
 namespace seamline::analysis {
@@ -18,6 +19,11 @@ constexpr std::array<double, 2> first_cuts = {-1, 1.5};            ///< t_2
 constexpr int thresholds_tried = 21;
 constexpr double beyond_range = 1.0 / 3, beyond_scales = 2;
 constexpr double smoothed_guess = 0.5;
+/// Where starts end at tops of different height, as on answers that no psychometric function made, the search
+/// goes on from the highest top, moved at random by these standard deviations in turn.
+constexpr int most_moves = 64;
+constexpr std::array<double, 2> move_sd = {1, 2.5};
+constexpr double same_height = 1e-3;  ///< log likelihood
 
 /// Ratings of wrong answers and references, which are guesses, as the guess ratings to begin with.
 void start_guesses(const JointModel& model, const JointCounts& counts, Eigen::VectorXd& theta) {
@@ -103,14 +109,24 @@ std::optional<Eigen::VectorXd> climb_joint(const JointModel& model, const JointC
 
 std::optional<Eigen::VectorXd> maximise_joint(const JointModel& model, const JointCounts& counts) {
   std::optional<Eigen::VectorXd> best;
-  double highest = -infinity;
-  for (const Eigen::VectorXd& start : starts_of(model, counts)) {
+  double highest = -infinity, lowest = infinity;
+  const auto climb_from = [&](const Eigen::VectorXd& start) {
     const std::optional<Eigen::VectorXd> top = climb_joint(model, counts, start);
-    if (!top) continue;
+    if (!top) return;
     const double value = joint_log_likelihood(model, counts, *top) + joint_penalty(model, *top).value;
-    if (value <= highest) continue;
+    lowest = std::min(lowest, value);
+    if (value <= highest) return;
     highest = value;
     best = top;
+  };
+  for (const Eigen::VectorXd& start : starts_of(model, counts)) climb_from(start);
+  if (!best || !(highest - lowest > same_height)) return best;
+  Random random(static_cast<std::uint64_t>(model.parameters()), 0);
+  for (int move = 0; move < most_moves; ++move) {
+    Eigen::VectorXd start = *best;
+    for (double& value : start)
+      value += move_sd[static_cast<std::size_t>(move) % move_sd.size()] * random.normal();
+    climb_from(start);
   }
   return best;
 }
