@@ -152,30 +152,37 @@ JointContrasts joint_contrasts(const JointData& data, const std::vector<CurveLab
                          axis);
 }
 
+JointData split_by_part(const JointData& data, const std::vector<Eigen::MatrixXd>& parts) {
+  JointData split = data;
+  split.curves.clear();
+  split.cells.clear();
+  const auto count = static_cast<int>(parts.size()), curves = static_cast<int>(data.curves.size());
+  const Eigen::Index width = data.answers.cols();
+  split.answers = Eigen::MatrixXd::Zero(data.answers.rows(), count * width);
+  for (int k = 0; k < count; ++k) {
+    split.curves.insert(split.curves.end(), data.curves.begin(), data.curves.end());
+    for (JointCell cell : data.cells) {
+      cell.curve += k * curves;
+      split.cells.push_back(cell);
+    }
+    split.answers.middleCols(k * width, width) = parts[static_cast<std::size_t>(k)];
+  }
+  return split;
+}
+
 JointData split_by_group(const JointData& data, const std::vector<int>& group_of, int groups) {
   std::vector<Eigen::Index> rows;
   for (std::size_t p = 0; p < group_of.size(); ++p)
     if (group_of[p] >= 0) rows.push_back(static_cast<Eigen::Index>(p));
   const JointData kept = of_people(data, rows);
-  JointData split = kept;
-  split.curves.clear();
-  split.cells.clear();
-  const auto curves = static_cast<int>(data.curves.size());
-  const Eigen::Index width = kept.answers.cols();
-  for (int g = 0; g < groups; ++g) {
-    split.curves.insert(split.curves.end(), data.curves.begin(), data.curves.end());
-    for (JointCell cell : data.cells) {
-      cell.curve += g * curves;
-      split.cells.push_back(cell);
-    }
-  }
-  split.answers = Eigen::MatrixXd::Zero(kept.answers.rows(), groups * width);
+  std::vector<Eigen::MatrixXd> parts(static_cast<std::size_t>(groups),
+                                     Eigen::MatrixXd::Zero(kept.answers.rows(), kept.answers.cols()));
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const auto row = static_cast<Eigen::Index>(r);
-    split.answers.row(row).segment(group_of[static_cast<std::size_t>(rows[r])] * width, width) =
+    parts[static_cast<std::size_t>(group_of[static_cast<std::size_t>(rows[r])])].row(row) =
         kept.answers.row(row);
   }
-  return split;
+  return split_by_part(kept, parts);
 }
 
 }  // namespace seamline::analysis

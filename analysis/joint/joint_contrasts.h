@@ -38,4 +38,9 @@ struct JointContrasts {
 /// one number a person, from 0; -1 leaves a person out.
 [[nodiscard]] JointData split_by_group(const JointData& data, const std::vector<int>& group_of, int groups);
 
+/// The data with a curve for each part of the answers: curve c of part k is number k x curves + c. `parts`
+/// are `answers` of the same people and cells, one table a part. A cell that nobody answered in a part stays,
+/// with counts of 0.
+[[nodiscard]] JointData split_by_part(const JointData& data, const std::vector<Eigen::MatrixXd>& parts);
+
 }  // namespace seamline::analysis

@@ -48,6 +48,7 @@ ReportNumbers report_numbers(const Analysis& analysis) {
   if (!analysis.adaptive || !analysis.options.compare.empty())
     numbers.groups = compare_groups(analysis, fields);
   numbers.order = session_order(analysis);
+  numbers.halves = session_halves(analysis);
   numbers.participants = participant_rows(analysis);
   numbers.questions = answered_questions(analysis.log);
   if (analysis.adaptive && !study::has_staircases(analysis.log))

@@ -27,6 +27,7 @@ struct ReportNumbers {
   double guess_rate = 1.0 / 3;              ///< of the functions of right choices
   ResponseTimes times;
   SessionOrder order;
+  SessionHalves halves;
   std::vector<ParticipantRow> participants;
   std::vector<std::string> questions;  ///< of the form, that somebody answered; columns of the participants
   std::vector<study::TrackEstimate> tracks;  ///< of adaptive logs

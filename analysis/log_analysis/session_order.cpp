@@ -10,6 +10,7 @@
 #include "analysis/log_analysis/report_numbers.h"
 #include "analysis/statistics/distributions.h"
 #include "analysis/statistics/fixed_effects.h"
+#include "analysis/statistics/jackknife_degrees.h"
 
 namespace seamline::analysis {
 
@@ -173,7 +174,101 @@ std::vector<MeanResidual> residuals_of_objects(const Analysis& analysis, const P
   return result;
 }
 
+/// The log with only the first (half 0) or second (half 1) half of everybody's answers.
+study::LogContents half_of_log(const Analysis& analysis, int half) {
+  const PlacedAnswers placed = place_answers(analysis);
+  study::LogContents log = analysis.log;
+  log.answers.clear();
+  for (std::size_t i = 0; i < placed.answers.size(); ++i)
+    if ((placed.table.x(static_cast<Eigen::Index>(i), 0) < 0.5 ? 0 : 1) == half)
+      log.answers.push_back(placed.answers[i]);
+  return log;
+}
+
+/// Second half less first half of some curves, the mean of them.
+Contrast half_contrast(const JointModel& model, const std::string& of, const std::vector<int>& of_curves,
+                       const LevelAxis& axis) {
+  const std::string level = level_word(axis);
+  Contrast contrast{
+      .name = of + ": second half - first half",
+      .weights = Eigen::VectorXd::Zero(model.parameters()),
+      .more =
+          fmt::format("the threshold of {} lies at a larger {} in the second half of the session", of, level),
+      .less = fmt::format("the threshold of {} lies at a smaller {} in the second half of the session", of,
+                          level),
+      .undecided =
+          fmt::format("no difference of the threshold of {} between halves of the session was shown", of)};
+  const double weight = difference_at(axis, 1.0) / static_cast<double>(of_curves.size());
+  for (const int curve : of_curves) {
+    contrast.weights[model.threshold(model.curves / 2 + curve)] = weight;
+    contrast.weights[model.threshold(curve)] = -weight;
+  }
+  return contrast;
+}
+
+/// Curves that have a threshold in both halves.
+std::vector<int> curves_of_both_halves(const JointFit& fit) {
+  std::vector<int> both;
+  const int curves = fit.model.curves / 2;
+  for (int c = 0; c < curves; ++c)
+    if (fit.curves[static_cast<std::size_t>(c)] == CurveVerdict::estimated &&
+        fit.curves[static_cast<std::size_t>(curves + c)] == CurveVerdict::estimated)
+      both.push_back(c);
+  return both;
+}
+
 }  // namespace
+
+SessionHalves contrast_halves(const JointData& whole, const std::vector<Eigen::MatrixXd>& answers_of_half,
+                              const JointSharing& sharing, const LevelAxis& axis, int threads) {
+  SessionHalves halves;
+  const JointData data = split_by_part(whole, answers_of_half);
+  const JointFit fit = fit_joint(data, sharing);
+  const std::vector<int> both = fit.estimated() ? curves_of_both_halves(fit) : std::vector<int>{};
+  if (both.empty()) {
+    halves.missing = "Thresholds by halves are not estimated: " +
+                     (fit.estimated() ? "no curve has a threshold in both halves." : fit.explanation);
+    return halves;
+  }
+  for (std::size_t c = 0; c < whole.curves.size(); ++c)
+    if (std::find(both.begin(), both.end(), static_cast<int>(c)) == both.end())
+      halves.notes.push_back(
+          fmt::format("{} is left out of the halves: it has no threshold in one of them.", whole.curves[c]));
+  const JointJackknife left_out = leave_people_out(fit, data, threads);
+  ContrastFamily family{.question = "Do thresholds change during the session?",
+                        .contrasts = {},
+                        .degrees_of_freedom = std::max(1.0, fit.people - 1.0)};
+  family.differences = true;
+  if (both.size() > 1)
+    family.contrasts.push_back(half_contrast(fit.model, "all curves together", both, axis));
+  for (const int curve : both)
+    family.contrasts.push_back(
+        half_contrast(fit.model, whole.curves[static_cast<std::size_t>(curve)], {curve}, axis));
+  for (const Contrast& contrast : family.contrasts)
+    family.degrees_of_freedom =
+        std::min(family.degrees_of_freedom, jackknife_degrees(left_out.theta * contrast.weights));
+  halves.shifts = test_contrasts(family, fit.theta, left_out.covariance, Correction::holm);
+  return halves;
+}
+
+SessionHalves session_halves(const Analysis& analysis) {
+  const bool known = analysis.joint && analysis.joint->fit.estimated();
+  if (analysis.adaptive || !known) {
+    SessionHalves none;
+    none.missing = std::string("Thresholds by halves are not estimated: ") +
+                   (analysis.adaptive ? "levels were placed by the answers, so halves have different levels."
+                                      : "the joint model has no numbers.");
+    return none;
+  }
+  const JointAnalysis& joint = *analysis.joint;
+  std::vector<Eigen::MatrixXd> answers;
+  for (int half = 0; half < 2; ++half)
+    answers.push_back(joint_data(count_guess_trials(half_of_log(analysis, half), analysis.data, {}),
+                                 joint.axis, analysis.guessing.guessers)
+                          .answers);
+  return contrast_halves(joint.data, answers, joint.fit.model.sharing, joint.axis,
+                         analysis.resampling.threads);
+}
 
 SessionOrder session_order(const Analysis& analysis) {
   SessionOrder order;

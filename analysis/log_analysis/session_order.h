@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "analysis/log_analysis/analysis.h"
+#include "analysis/ordinal/contrasts/contrasts.h"
 #include "analysis/psychometric/likelihood/profile.h"
 
 namespace seamline::analysis {
@@ -45,8 +46,26 @@ struct SessionOrder {
   std::vector<MeanResidual> object_residuals;  ///< less the mean over the curve's objects at the same levels
 };
 
+/// Thresholds of the second half of everybody's answers less those of the first half, along the axis: of all
+/// curves together and of each. Each curve of the joint model becomes two with thresholds of their own; all
+/// else is shared. Adjusted together by Holm's method, each with the degrees of freedom of its own jackknife
+/// over people (`jackknife_degrees`), the least of all contrasts.
+struct SessionHalves {
+  std::string missing;  ///< a sentence: why there is no row
+  ContrastTable shifts;
+  std::vector<std::string> notes;  ///< curves that are left out
+};
+
 /// Of the answers that are used. Adaptive logs have residuals of nobody: their levels hang on the answers.
 [[nodiscard]] SessionOrder session_order(const Analysis& analysis);
+
+/// Of counts: `answers_of_half` are `whole.answers` of each half.
+[[nodiscard]] SessionHalves contrast_halves(const JointData& whole,
+                                            const std::vector<Eigen::MatrixXd>& answers_of_half,
+                                            const JointSharing& sharing, const LevelAxis& axis, int threads);
+
+/// Of a log's answers that are used, half of each person's in their order.
+[[nodiscard]] SessionHalves session_halves(const Analysis& analysis);
 
 /// What the trend says, a sentence: that there is one only where its interval excludes 0.
 [[nodiscard]] std::string trend_sentence(const SessionOrder& order);

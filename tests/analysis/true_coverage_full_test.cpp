@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "tests/analysis/evidence_folder.h"
+#include "tests/analysis/true_halves.h"
 #include "tests/analysis/true_joint.h"
 
 namespace seamline::analysis {
@@ -31,6 +32,10 @@ TEST(TrueCoverage, FalseSentencesOfBothModels) {
   const auto file = test::evidence_file("true_sentences.csv");
   test::continue_false_sentences(file, "ordinal", true_studies(300), {20}, test::said_by_ordinal_model);
   test::continue_false_sentences(file, "joint", true_studies(300), {10, 20, 40}, test::said_by_joint_model);
+}
+
+TEST(TrueCoverage, OfTheHalvesOfTheSession) {
+  test::write_halves(test::evidence_file("true_halves.csv"), true_studies(300));
 }
 
 }  // namespace

@@ -14,20 +14,6 @@ namespace {
 
 using Lines = std::vector<std::vector<std::string>>;
 
-std::string contrast_table_html(const ContrastTable& contrasts, const std::string& unit) {
-  Lines lines;
-  for (const ContrastRow& row : contrasts.rows)
-    lines.push_back({as_sentence(row.conclusion), decimal_text(row.estimate, 2),
-                     std::isfinite(row.ci95_low) && std::isfinite(row.ci95_high)
-                         ? decimal_text(row.ci95_low, 2) + " to " + decimal_text(row.ci95_high, 2)
-                         : "–"});
-  return "<h3>" + html_escape(contrasts.question) + "</h3>\n" +
-         html_table({{.title = "finding", .sentence = true},
-                     {.title = unit, .number = true},
-                     {.title = "95 % interval", .number = true}},
-                    lines);
-}
-
 std::string group_html(const GroupComparison& groups, const std::string& unit) {
   std::string counts;
   for (std::size_t g = 0; g < groups.groups.size(); ++g)
@@ -44,6 +30,20 @@ std::string group_html(const GroupComparison& groups, const std::string& unit) {
 }
 
 }  // namespace
+
+std::string contrast_table_html(const ContrastTable& contrasts, const std::string& unit) {
+  Lines lines;
+  for (const ContrastRow& row : contrasts.rows)
+    lines.push_back({as_sentence(row.conclusion), decimal_text(row.estimate, 2),
+                     std::isfinite(row.ci95_low) && std::isfinite(row.ci95_high)
+                         ? decimal_text(row.ci95_low, 2) + " to " + decimal_text(row.ci95_high, 2)
+                         : "–"});
+  return "<h3>" + html_escape(contrasts.question) + "</h3>\n" +
+         html_table({{.title = "finding", .sentence = true},
+                     {.title = unit, .number = true},
+                     {.title = "95 % interval", .number = true}},
+                    lines);
+}
 
 std::string joint_model_html(const Analysis& analysis, const std::vector<Figure>& figures) {
   if (!analysis.joint) return "";

@@ -10,6 +10,9 @@ namespace seamline::analysis {
 /// what is shared, how people differ.
 [[nodiscard]] std::string joint_model_html(const Analysis& analysis, const std::vector<Figure>& figures);
 
+/// A table of findings: each contrast's sentence, its estimate in `unit`, its interval.
+[[nodiscard]] std::string contrast_table_html(const ContrastTable& contrasts, const std::string& unit);
+
 /// Differences of thresholds and slopes by the joint model, between artifacts, conditions and groups.
 [[nodiscard]] std::string joint_contrasts_html(const Analysis& analysis, const ReportNumbers& numbers);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "analysis/report/page/html_parts.h"
+#include "analysis/report/page/joint_section.h"
 #include "analysis/report/text/threshold_text.h"
 
 namespace seamline::analysis {
@@ -30,6 +31,13 @@ std::string parts_html(const SessionOrder& order) {
   lines.push_back({"last trial − first trial, by a straight line", "",
                    value_with_interval(order.trend, order.trend_ci95)});
   return html_table({{"part of the session"}, {"answers", true}, {"mean noticeability, 95 %", true}}, lines);
+}
+
+std::string halves_html(const SessionHalves& halves, const LevelAxis& axis) {
+  std::string html = halves.missing.empty() ? contrast_table_html(halves.shifts, length_unit(axis))
+                                            : html_paragraph(halves.missing);
+  for (const std::string& note : halves.notes) html += html_paragraph(note);
+  return html;
 }
 
 /// Those whose interval excludes 0; there may be some by chance.
@@ -66,7 +74,7 @@ std::string order_html(const ReportNumbers& numbers, const std::vector<Figure>& 
   const SessionOrder& order = numbers.order;
   std::string html = "<h2 id=\"order\">Order and residuals</h2>\n" + html_paragraph(trend_sentence(order));
   if (!order.thirds.empty()) html += figure_html(figures, "order") + parts_html(order);
-  return html + apart_html(order);
+  return html + halves_html(numbers.halves, numbers.axis) + apart_html(order);
 }
 
 }  // namespace seamline::analysis

@@ -166,6 +166,7 @@ CsvTable joint_contrasts_table(const Analysis& analysis, const ReportNumbers& nu
     for (const ContrastTable& contrasts : analysis.joint->contrasts.tables)
       add(contrasts.question, contrasts);
   for (const GroupComparison& groups : numbers.groups) add(groups.shifts.question, groups.shifts);
+  add(numbers.halves.shifts.question, numbers.halves.shifts);
   return table;
 }
 

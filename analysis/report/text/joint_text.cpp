@@ -117,6 +117,8 @@ std::vector<std::string> joint_conclusions(const Analysis& analysis, const Repor
     for (const ContrastRow& row : groups.shifts.rows) sentences.push_back(as_sentence(row.conclusion));
     sentences.insert(sentences.end(), groups.notes.begin(), groups.notes.end());
   }
+  for (const ContrastRow& row : numbers.halves.shifts.rows)
+    if (row.verdict == ContrastVerdict::differs) sentences.push_back(as_sentence(row.conclusion));
   return sentences;
 }
 
