@@ -10,7 +10,8 @@ namespace {
 
 constexpr int coarsening = 8, most_preview_spp = 256;
 
-/// Mean over what each pixel covers.
+}  // namespace
+
 Image photograph_sized(const Image& image, int width_px, int height_px) {
   Image small(width_px, height_px, 3);
   for (int y = 0; y < height_px; ++y)
@@ -26,8 +27,6 @@ Image photograph_sized(const Image& image, int width_px, int height_px) {
     }
   return small;
 }
-
-}  // namespace
 
 PlacePreview::PlacePreview(const PhotoWorld& world, int width_px, int threads)
     : world_(world), threads_(threads) {

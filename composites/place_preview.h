@@ -11,6 +11,9 @@
 
 namespace seamline::renderer {
 
+/// A picture made smaller: each pixel is the mean over what it covers.
+[[nodiscard]] Image photograph_sized(const Image& image, int width_px, int height_px);
+
 /// What the window shows while objects are being placed: composites by paths, coarse at once, then finer,
 /// then with more and more samples. They are those of `composite`, but for their size and noise.
 class PlacePreview {

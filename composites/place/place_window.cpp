@@ -14,8 +14,11 @@
 
 #include "composites/objects/placing.h"
 #include "composites/photo_world.h"
+#include "composites/place/measuring_window.h"
 #include "composites/place/place_input.h"
+#include "composites/place/place_page.h"
 #include "composites/place_preview.h"
+#include "composites/view/measured_places.h"
 #include "support/running/interrupt.h"
 #include "support/running/parallel.h"
 #include "support/text/error.h"
@@ -29,9 +32,7 @@
 namespace seamline::place {
 namespace {
 
-constexpr int preview_width_px = 480, most_window_px = 1280;
-constexpr double longest_wait_s = 0.25;  ///< after which Ctrl-C in the terminal is seen
-constexpr double type_px = 18, bar_px = 64, margin_px = 8;
+constexpr int preview_width_px = 480;
 constexpr const char* help =
     "Drag: onto a surface    Wheel: turn    Shift+wheel: size    Arrows, Page Up/Down: shift (Shift: "
     "further)    Tab: next    D: another    F: floor    Delete    Ctrl+Z: take back    S: save    Esc: leave";
@@ -51,30 +52,11 @@ void mark_floor(const std::vector<std::uint8_t>& lines, int width_px, int height
     }
 }
 
-/// A picture of this shape, as large as fits above the bar.
-Rect picture_in(const Size& screen_px, double aspect) {
-  const double room_px = std::max(1.0, screen_px.height_px - bar_px);
-  const double width_px = std::min(screen_px.width_px, room_px * aspect);
-  return {(screen_px.width_px - width_px) / 2, (room_px - width_px / aspect) / 2, width_px,
-          width_px / aspect};
-}
-
 /// What is known of the file on the disk.
 struct Saving {
   bool changed = false, warned = false;
   std::string said = {};
 };
-
-void draw(Canvas& canvas, const Rect& picture, const Texture& texture, const Size& screen_px,
-          const std::string& chosen, const Saving& saving) {
-  canvas.picture(texture, picture);
-  const double y_px = screen_px.height_px - bar_px + margin_px;
-  canvas.text(Font::body, {margin_px, y_px}, chosen, look::ink_on_background);
-  canvas.text(Font::small, {margin_px, y_px + 1.5 * type_px}, help, look::quiet_on_background);
-  const Size said = canvas.measure(Font::body, saving.said);
-  canvas.text(Font::body, {screen_px.width_px - said.width_px - margin_px, y_px}, saving.said,
-              saving.warned ? look::problem : look::ink_on_background);
-}
 
 class Placer {
  public:
@@ -175,8 +157,11 @@ class Placer {
     texture_.upload(picture);
     const Size screen_px = window_.framebuffer_px();
     canvas_.begin(screen_px);
-    draw(canvas_, picture_in(screen_px, aspect_), texture_, screen_px,
-         renderer::placing_text(placing_.objects[placing_.chosen]), saving_);
+    draw_page(canvas_, picture_in(screen_px, aspect_), texture_, screen_px,
+              {.line = renderer::placing_text(placing_.objects[placing_.chosen]),
+               .help = help,
+               .said = saving_.said,
+               .warned = saving_.warned});
     window_.clear(look::background);
     canvas_.end();
     window_.show();
@@ -211,6 +196,12 @@ void place_in_window(const renderer::PlaceRequest& asked_for) {
       {.line = {}, .note = [](const std::string& note) { fmt::print(stderr, "note: {}\n", note); }});
   renderer::PhotoWorld world;
   world.seen = renderer::see(request.photo, notes);
+  if (needs_measuring(request.photo.depth)) {
+    std::vector<sensors::KnownPoint> points = measure_in_window(request.photo, world.seen);
+    if (points.empty()) return;
+    request.command += renderer::point_options(points);
+    request.photo.depth.estimate->points = std::move(points);
+  }
   renderer::read_photo_world(request.photo, world, notes);
   for (const std::string& light : world.known.text) fmt::print("light: {}\n", light);
   Placer(request, world, std::move(opened)).run();
