@@ -22,6 +22,7 @@
 #include "analysis/report/text/checks_text.h"
 #include "analysis/report/text/depth_error_notes.h"
 #include "analysis/report/text/numbers_text.h"
+#include "analysis/report/text/scenes_text.h"
 #include "analysis/report/text/threshold_text.h"
 #include "stimuli/definition/methods/analysis_definition.h"
 #include "stimuli/definition/parts/task_definition.h"
@@ -155,7 +156,7 @@ AnalysisSummary analyze_log(const AnalysisRequest& request) {
   };
   for (const CsvTable& table : tables) write(table.name + ".csv", csv_text(table));
   write("data_dictionary.csv", csv_text(report_dictionary(tables, numbers.axis, numbers.conditions)));
-  write("thresholds.json", thresholds_json(analysis));
+  write("thresholds.json", thresholds_json(analysis, numbers.over_scenes));
   const MethodsText methods = methods_text(analysis, numbers);
   write("report.json", report_json(analysis, methods, tables));
   write("methods.txt", plain_text(methods));
@@ -165,7 +166,7 @@ AnalysisSummary analyze_log(const AnalysisRequest& request) {
   return {.frozen = frozen_text(analysis),
           .table = table_text(analysis),
           .checks = checks_text(analysis),
-          .sections = numbers_text(analysis, numbers),
+          .sections = scenes_text(numbers) + numbers_text(analysis, numbers),
           .notes = std::move(notes),
           .report_html = folder / "report.html"};
 }

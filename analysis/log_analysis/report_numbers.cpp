@@ -32,6 +32,16 @@ void add_comparisons(ReportNumbers& numbers, const Analysis& analysis) {
   }
 }
 
+/// Each curve that has several scenes, with these as a sample of scenes.
+std::vector<CurveOverScenes> curves_over_scenes(const Analysis& analysis) {
+  std::vector<CurveOverScenes> curves;
+  if (!analysis.joint || analysis.adaptive) return curves;
+  for (const SceneCurves& of : curves_by_scene(analysis.log, analysis.people, analysis.data,
+                                               analysis.guessing.guessers, analysis.options.references))
+    curves.push_back(threshold_over_scenes(of, analysis.resampling.threads));
+  return curves;
+}
+
 }  // namespace
 
 ReportNumbers report_numbers(const Analysis& analysis) {
@@ -53,6 +63,7 @@ ReportNumbers report_numbers(const Analysis& analysis) {
   numbers.questions = answered_questions(analysis.log);
   if (analysis.adaptive && !study::has_staircases(analysis.log))
     numbers.tracks = study::quest_plus_estimates(analysis.log);
+  numbers.over_scenes = curves_over_scenes(analysis);
   return numbers;
 }
 

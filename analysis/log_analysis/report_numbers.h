@@ -11,6 +11,7 @@
 #include "analysis/log_analysis/session_order.h"
 #include "analysis/log_analysis/signal_detection.h"
 #include "analysis/ordinal/contrasts/study_model.h"
+#include "analysis/over_scenes/scene_thresholds.h"
 #include "study/running/quest_plus_results.h"
 
 namespace seamline::analysis {
@@ -31,6 +32,7 @@ struct ReportNumbers {
   std::vector<ParticipantRow> participants;
   std::vector<std::string> questions;  ///< of the form, that somebody answered; columns of the participants
   std::vector<study::TrackEstimate> tracks;  ///< of adaptive logs
+  std::vector<CurveOverScenes> over_scenes;  ///< of artifacts with `fewest_scenes` scenes, by the joint model
 };
 
 /// Never throws because of what the answers are: what cannot be computed is missing, with a sentence. Throws

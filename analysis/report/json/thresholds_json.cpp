@@ -7,6 +7,7 @@
 #include "analysis/report/json/checks_json.h"
 #include "analysis/report/json/json_values.h"
 #include "analysis/report/json/origins_json.h"
+#include "analysis/report/json/scenes_json.h"
 #include "analysis/report/text/threshold_text.h"
 #include "analysis/thresholds/threshold_rules.h"
 #include "support/files/assets.h"
@@ -157,7 +158,7 @@ Json artifact_json(const Analysis& analysis, std::size_t index, const std::vecto
 
 }  // namespace
 
-std::string thresholds_json(const Analysis& analysis) {
+std::string thresholds_json(const Analysis& analysis, const std::vector<CurveOverScenes>& over_scenes) {
   const ParticipantCounts& counts = analysis.counts;
   Json json;
   json["format"] = thresholds_format;
@@ -194,6 +195,7 @@ std::string thresholds_json(const Analysis& analysis) {
   json["artifacts"] = Json::array();
   for (std::size_t i = 0; i < analysis.thresholds.size(); ++i)
     json["artifacts"].push_back(artifact_json(analysis, i, rows));
+  if (!over_scenes.empty()) json["scenes"] = scenes_json(over_scenes, axis, has_conditions(analysis.data));
   json.update(checks_json(analysis));
   if (has_conditions(analysis.data)) json["differences"] = differences_json(analysis);
   if (analysis.origins) json["origins"] = origins_json(analysis);

@@ -14,6 +14,7 @@
 #include "analysis/report/text/joint_text.h"
 #include "analysis/report/text/methods_references.h"
 #include "analysis/report/text/replication_text.h"
+#include "analysis/report/text/scenes_text.h"
 #include "analysis/scores/level_words.h"
 #include "analysis/statistics/many_people.h"
 #include "analysis/thresholds/threshold_rules.h"
@@ -362,6 +363,7 @@ MethodsText methods_text(const Analysis& analysis, const ReportNumbers& numbers)
     if (analysis.joint) paragraphs.push_back(joint_text(analysis, words));
     if (analysis.joint && analysis.joint->fit.estimated())
       paragraphs.push_back(joint_comparisons_text(numbers));
+    if (std::string scenes = scenes_method(numbers); !scenes.empty()) paragraphs.push_back(std::move(scenes));
     const bool rated = asks_ratings(analysis.log);
     if (rated) paragraphs.push_back(means_text(analysis, words));
     if (stands_apart(analysis.data.axis, levels_drawn(analysis.data).levels.front()))

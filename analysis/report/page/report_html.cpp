@@ -183,8 +183,8 @@ std::string report_html(const Analysis& analysis, const ReportNumbers& numbers,
   if (const std::string title = task_words(analysis).title; title != "Noticeability")
     links.replace(links.find(">Noticeability<"), std::string(">Noticeability<").size(), ">" + title + "<");
   html += header(analysis) + links + preregistration_html(analysis) + thresholds_section(analysis) +
-          replication_html(analysis) + differences_html(analysis) + looking_html(looking) +
-          origins_html(analysis) + joint_model_html(analysis, figures) +
+          scenes_html(numbers) + replication_html(analysis) + differences_html(analysis) +
+          looking_html(looking) + origins_html(analysis) + joint_model_html(analysis, figures) +
           noticeability_section(analysis, figures) + psychometric_html(analysis, numbers, figures) +
           comparisons_html(analysis, numbers) + checks_html(analysis, figures) +
           order_html(numbers, figures) + times_html(numbers, figures);

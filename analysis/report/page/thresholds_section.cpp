@@ -10,6 +10,7 @@
 #include "analysis/log_analysis/headline_rows.h"
 #include "analysis/log_analysis/task_words.h"
 #include "analysis/report/page/html_parts.h"
+#include "analysis/report/text/scenes_text.h"
 #include "analysis/report/text/threshold_text.h"
 #include "analysis/thresholds/angular_resolution.h"
 #include "support/text/html.h"
@@ -127,6 +128,9 @@ std::string fixed_effects_text(const Analysis& analysis) {
     scenes[{object.artifact, object.condition}].insert(object.scene);
   const bool several =
       std::any_of(scenes.begin(), scenes.end(), [](const auto& one) { return one.second.size() > 1; });
+  if (analysis.joint && !analysis.adaptive && has_random_scenes(analysis.data))
+    return "Objects and scenes are fixed here: these intervals are over participants, and say nothing of other "
+           "objects or scenes than those shown. Thresholds over scenes have intervals that do.";
   return std::string(
              "Objects and scenes are fixed: intervals are over participants, and say nothing of other "
              "objects or scenes than those shown.") +
@@ -134,6 +138,16 @@ std::string fixed_effects_text(const Analysis& analysis) {
                     "same, in "
                     "whichever scene they stand."
                   : "");
+}
+
+std::string scenes_html(const ReportNumbers& numbers) {
+  if (numbers.over_scenes.empty()) return "";
+  std::vector<HtmlColumn> columns;
+  for (const std::string& title : scenes_titles(numbers.axis)) columns.push_back({title});
+  std::string html =
+      "<h2 id=\"scenes\">Thresholds over scenes</h2>\n" + html_table(columns, scenes_lines(numbers));
+  for (const std::string& sentence : scenes_sentences(numbers)) html += html_paragraph(sentence);
+  return html;
 }
 
 std::string threshold_table_html(const Analysis& analysis) {

@@ -9,6 +9,7 @@
 #include "analysis/report/tables/preregistration_table.h"
 #include "analysis/report/tables/psychometric_tables.h"
 #include "analysis/report/tables/replication_tables.h"
+#include "analysis/report/tables/scenes_tables.h"
 #include "study/running/staircase_results.h"
 
 namespace seamline::analysis {
@@ -24,6 +25,7 @@ std::vector<CsvTable> all_tables(const Analysis& analysis, const ReportNumbers& 
   if (study::has_staircases(analysis.log)) tables.push_back(staircases_table(analysis, numbers));
   if (!numbers.detection.rows.empty()) tables.push_back(signal_detection_table(numbers));
   for (CsvTable& table : joint_tables(analysis, numbers)) tables.push_back(std::move(table));
+  for (CsvTable& table : scenes_tables(analysis, numbers)) tables.push_back(std::move(table));
   for (CsvTable& table : checks_tables(analysis)) tables.push_back(std::move(table));
   for (CsvTable& table : replication_tables(analysis)) tables.push_back(std::move(table));
   if (analysis.frozen) tables.push_back(deviations_table(*analysis.frozen));

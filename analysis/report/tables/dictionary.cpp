@@ -309,6 +309,27 @@ std::vector<Field> quantity_fields() {
           {"level.noticeability", "word", "rises or falls as the level grows"}};
 }
 
+/// What a study with several scenes an artifact has besides.
+std::vector<Field> scenes_fields(const LevelNames& names, bool conditions) {
+  const std::string curve = "scenes[].", one = "scenes[].thresholds[].", length = length_unit(names.of);
+  std::vector<Field> fields = {{curve + "artifact", "word", "the artifact"}};
+  if (conditions) fields.push_back({curve + "condition", "text", "condition of the curve"});
+  fields.push_back({curve + "scenes[]", "text", "in which it was shown"});
+  fields.push_back({curve + "between_people", length,
+                    "standard deviation of a person's thresholds, alike in all scenes; null without a fit"});
+  fields.push_back({curve + "people_by_scenes", length, "and from scene to scene beside that"});
+  fields.push_back({one + "quantity", "word", "PT, SN, both corrected, IP or detection"});
+  fields.push_back(
+      {one + "mean" + names.suffix, names.unit, "mean over scenes along the axis; null without one"});
+  fields.push_back({one + "reason", "text", "why there is none; null when there is one"});
+  fields.push_back({one + "these_ci95[]", names.unit,
+                    "95 % interval over participants, for these scenes; null when open"});
+  fields.push_back(
+      {one + "like_these_ci95[]", names.unit, "95 % interval over participants and scenes; null when open"});
+  fields.push_back({one + "between_scenes", length, "standard deviation between scenes"});
+  return fields;
+}
+
 /// What a log with lab and web has besides.
 std::vector<Field> origin_fields(const LevelNames& names, bool conditions) {
   std::vector<Field> fields;
@@ -350,6 +371,9 @@ CsvTable report_dictionary(const std::vector<CsvTable>& tables, const LevelAxis&
   if (std::any_of(tables.begin(), tables.end(),
                   [](const CsvTable& table) { return table.name == "lab_and_web"; }))
     append(origin_fields(names, conditions));
+  if (std::any_of(tables.begin(), tables.end(),
+                  [](const CsvTable& table) { return table.name == "thresholds_over_scenes"; }))
+    append(scenes_fields(names, conditions));
   if (conditions) append(condition_fields(axis));
   if (!of_depth_widths(axis)) append(quantity_fields());
   add("thresholds.json", thresholds);

@@ -17,6 +17,9 @@ constexpr Reference works[] = {
      "Order Restrictions. Wiley."},
     {"Boos, 1992",
      "Boos, D. D. (1992). On generalized score tests. The American Statistician, 46(4), 327–333."},
+    {"Cameron, Gelbach and Miller, 2011",
+     "Cameron, A. C., Gelbach, J. B., & Miller, D. L. (2011). Robust inference with multiway clustering. "
+     "Journal of Business & Economic Statistics, 29(2), 238–249."},
     {"Dempster, Laird and Rubin, 1977",
      "Dempster, A. P., Laird, N. M., & Rubin, D. B. (1977). Maximum likelihood from incomplete data via the "
      "EM algorithm. Journal of the Royal Statistical Society B, 39(1), 1–38."},
