@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "analysis/foresight/plan_scenes.h"
 #include "analysis/foresight/plan_summary.h"
 #include "analysis/thresholds/planted_noticeability.h"
 #include "stimuli/study_file/parts/study_file_task.h"
@@ -174,6 +175,8 @@ StudyPlan plan_study(const PlanRequest& request) {
   plan.targets = plan_targets(request.wanted, population, plan.curves);
   plan.level_sets = level_sets_to_try(levels, plan.axis, plan.targets);
   plan.assumptions = assumptions_text(population, plan.curves);
+  if (const std::string scenes = scenes_assumed_text(request, plan.axis); !scenes.empty())
+    plan.assumptions += " " + scenes;
   for (const PlannedCurve& curve : plan.curves) {
     plan.stimuli_a_level += curve.objects;
     if (request.no_seam)

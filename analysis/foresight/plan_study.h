@@ -27,6 +27,7 @@ struct PlanRequest {
   double assurance = 0.8;    ///< chance that all of them are at most so long
   std::optional<double> equal_within = {};  ///< a difference counts as none within so much, in the same unit
   std::optional<NoSeamClaim> no_seam = {};
+  double between_scenes = 0;  ///< assumed: standard deviation of thresholds, same unit; 0: nothing is said
   std::vector<int> participants = {5, 10, 20, 40, 80};  ///< rising, each at least 2
   bool sequential = false;                              ///< also: to ask until the intervals are short enough
   int studies = 200;                                    ///< simulated for each set of levels

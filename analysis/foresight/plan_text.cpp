@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "analysis/foresight/plan_scenes.h"
 #include "support/files/markdown_table.h"
 
 namespace seamline::analysis {
@@ -302,8 +303,8 @@ std::string plan_text(const StudyPlan& plan) {
       markdown_table(interval_table(plan)) +
       fmt::format("\nChance that all of them are at most {:g} {} long; and that all hold the truth.\n",
                   plan.request.wanted_length, unit_of(plan, plan.request.wanted_length)) +
-      markdown_table(assurance_table(plan)) + further_tables(plan) + "\n" + beyond_text(plan) +
-      bias_text(plan) +
+      markdown_table(assurance_table(plan)) + further_tables(plan) + scenes_plan_text(plan) + "\n" +
+      beyond_text(plan) + bias_text(plan) +
       fmt::format("Wanted: {}{}.\n", wish_text(plan),
                   beyond_text(plan).empty() ? "" : ", of those within the " + level_word(plan.axis) + "s");
   const std::optional<DesignRow> people = fewest_participants(plan), answers = fewest_answers(plan);

@@ -63,6 +63,11 @@ std::vector<CLI::Option*> add_plan_options(CLI::App& command, PlanOptions& optio
       add_number(command, "--wanted-octaves", request.wanted_length, {0.01, 1000},
                  "length of the 95 % intervals (on linear axes in the level's unit)")
           ->capture_default_str(),
+      add_number(
+          command, "--scene-sd", request.between_scenes, {0, 1000},
+          "assumed: how the thresholds of scenes differ, standard deviation in octaves (or the level's "
+          "unit); also says what 1, 3, 5 and 10 scenes can claim")
+          ->capture_default_str(),
       add_number(command, "--assurance", request.assurance, {0.01, 0.999},
                  "chance that all intervals are at most so long")
           ->capture_default_str(),

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -47,10 +48,10 @@ std::array<FullCoverage, 4> full_coverage(const ScenePeople& of, int studies) {
 
 }  // namespace
 
-/// The table of documentation/evidence/coverage.md. SEAMLINE_STUDIES: how many of each row (default 200).
+/// How often both intervals hold the mean of all scenes. SEAMLINE_TRUE_STUDIES: how many of each row (default 200).
 TEST(OverScenesCoverage, OfScenesLikeThese) {
-  const char* asked = std::getenv("SEAMLINE_STUDIES");
-  const int studies = asked != nullptr ? std::atoi(asked) : 200;
+  const char* asked = std::getenv("SEAMLINE_TRUE_STUDIES");
+  const int studies = asked == nullptr ? 200 : std::stoi(asked);
   std::printf("form,between,people,scenes,quantity,studies,found,like_these,these,length,between_found\n");
   constexpr std::array forms = {"normal", "uniform", "skewed"};
   constexpr std::array quantities = {"PT", "SN", "PT corrected", "SN corrected"};

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "analysis/foresight/plan_scenes.h"
 #include "stimuli/definition/stimulus.h"
 #include "stimuli/study_file/study_file.h"
 #include "support/files/atomic_file.h"
@@ -38,6 +39,24 @@ class PlanStudy : public testing::Test {
 };
 
 const std::string paper_widths = "depth_width_px = [64, 128, 256, 512, 1024, 2048, 4096]";
+
+// Scenes add their own variance: the text says so where it is assumed, and is what it was where it is not.
+TEST_F(PlanStudy, SaysWhatScenesCanClaimWhereTheirSpreadIsAssumed) {
+  PlanRequest asked = request(paper_widths, "\"receiver\"");
+  asked.studies = 20;
+  const std::string without = plan_text(plan_study(asked));
+  asked.between_scenes = 0.5;
+  const StudyPlan plan = plan_study(asked);
+  std::string with = plan_text(plan);
+  const std::string scenes = scenes_plan_text(plan), assumed = " " + scenes_assumed_text(asked, plan.axis);
+  EXPECT_NE(scenes.find("10 scenes"), std::string::npos);
+  EXPECT_NE(scenes.find("With one scene"), std::string::npos);
+  for (const std::string& part : {scenes, assumed}) {
+    ASSERT_NE(with.find(part), std::string::npos);
+    with.erase(with.find(part), part.size());
+  }
+  EXPECT_EQ(with, without);
+}
 
 TEST_F(PlanStudy, MorePeopleGiveShorterIntervals) {
   const StudyPlan plan = plan_study(request(paper_widths));

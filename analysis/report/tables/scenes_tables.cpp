@@ -5,7 +5,7 @@
 namespace seamline::analysis {
 namespace {
 
-CsvValue length_cell(const LevelAxis& axis, double length_x) {
+CsvValue spread_cell(const LevelAxis& axis, double length_x) {
   return finite(std::abs(difference_at(axis, length_x)));
 }
 
@@ -45,8 +45,8 @@ CsvTable thresholds_over_scenes_table(const Analysis& analysis, const ReportNumb
           {std::string(word(curve.artifact)), std::string(word(found.quantity)), whole(curve.scenes.size()),
            whole(curve.people), known ? finite(level_at(axis, found.spreads.mean_x)) : finite(nan),
            number(closed(these.low)), number(closed(these.high)), number(closed(like.low)),
-           number(closed(like.high)), length_cell(axis, found.spreads.between_scenes),
-           length_cell(axis, curve.between_people), length_cell(axis, curve.people_by_scenes),
+           number(closed(like.high)), spread_cell(axis, found.spreads.between_scenes),
+           spread_cell(axis, curve.between_people), spread_cell(axis, curve.people_by_scenes),
            finite(found.spreads.degrees), found.reason, source_text(analysis)});
       conditions.push_back(curve.condition);
     }

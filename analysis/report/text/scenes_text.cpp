@@ -14,7 +14,7 @@ std::string end_text(const LevelAxis& axis, double level) {
   return std::isfinite(level) ? estimated_text(axis, level) : "open";
 }
 
-std::string range_text(const LevelAxis& axis, const LevelInterval& interval) {
+std::string mean_range_text(const LevelAxis& axis, const LevelInterval& interval) {
   const LevelRange range = range_at(axis, interval);
   return end_text(axis, range.low) + " to " + end_text(axis, range.high);
 }
@@ -23,7 +23,7 @@ std::string length_text(const LevelAxis& axis, double length_x) {
   return std::isfinite(length_x) ? fmt::format("{:.2f}", std::abs(difference_at(axis, length_x))) : "–";
 }
 
-std::string curve_name(const CurveOverScenes& curve) {
+std::string scenes_curve_name(const CurveOverScenes& curve) {
   return std::string(word(curve.artifact)) + in_condition(curve.condition);
 }
 
@@ -33,7 +33,7 @@ std::string spread_sentence(const CurveOverScenes& curve, const LevelAxis& axis)
   return fmt::format(
       "{}: the thresholds of {} people have a standard deviation of {} {}, and from scene to scene a person's "
       "differs by {} beside what scenes do to everybody.",
-      curve_name(curve), curve.people, length_text(axis, curve.between_people), length_unit(axis),
+      scenes_curve_name(curve), curve.people, length_text(axis, curve.between_people), length_unit(axis),
       length_text(axis, curve.people_by_scenes));
 }
 
@@ -54,11 +54,11 @@ std::vector<std::vector<std::string>> scenes_lines(const ReportNumbers& numbers)
   std::vector<std::vector<std::string>> lines;
   for (const CurveOverScenes& curve : numbers.over_scenes)
     for (const ThresholdOverScenes& found : curve.thresholds) {
-      std::vector<std::string> line = {curve_name(curve), std::string(word(found.quantity)),
+      std::vector<std::string> line = {scenes_curve_name(curve), std::string(word(found.quantity)),
                                        std::to_string(curve.scenes.size())};
       if (found.reason.empty())
         line.insert(line.end(), {estimated_text(axis, level_at(axis, found.spreads.mean_x)),
-                                 range_text(axis, found.these), range_text(axis, found.like_these),
+                                 mean_range_text(axis, found.these), mean_range_text(axis, found.like_these),
                                  length_text(axis, found.spreads.between_scenes)});
       else
         line.insert(line.end(), {found.reason, "–", "–", "–"});
