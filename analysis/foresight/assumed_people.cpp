@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <utility>
@@ -16,7 +17,6 @@ namespace seamline::analysis {
 namespace {
 
 using study::highest_rating;
-using study::objects_per_stimulus;
 
 /// Lengths in x of LevelAxis, which octaves are, and the unit of a linear axis is not.
 struct SpreadInX {
@@ -58,17 +58,20 @@ double falling(double past) {
 }
 
 /// What one person's answers are worth on average.
-double person_mean(const AssumedPeople& assumed, double seen, double rated, bool corrected) {
+double person_mean(const PlannedPopulation& population, double seen, double rated, JointMean mean) {
+  const AssumedPeople& assumed = population.assumed;
   const double looks_and_sees = (1 - assumed.lapse) * seen;
-  const double by_sight = looks_and_sees * (1 + (highest_rating - 1) * rated);
-  if (corrected) return by_sight;
-  return by_sight + (1 - looks_and_sees) * (1 + assumed.high_guesses) / objects_per_stimulus;
+  const bool rates = population.task.facts.rates && mean != JointMean::detected;
+  const double by_sight = looks_and_sees * (rates ? 1 + (highest_rating - 1) * rated : 1);
+  if (mean != JointMean::as_counted) return by_sight;
+  return by_sight + (1 - looks_and_sees) * (1 + assumed.high_guesses) * population.task.chance();
 }
 
 using Shares = Eigen::Vector<double, 2 * highest_rating>;
 
 /// Of one person: 1 + Binomial(3, rated) of what is seen, and guesses.
-Shares person_shares(const AssumedPeople& assumed, double seen, double rated) {
+Shares person_shares(const PlannedPopulation& population, double seen, double rated) {
+  const AssumedPeople& assumed = population.assumed;
   const double sees = (1 - assumed.lapse) * seen, not_rated = 1 - rated;
   Shares shares = Shares::Zero();
   shares[0] = not_rated * not_rated * not_rated;
@@ -76,11 +79,13 @@ Shares person_shares(const AssumedPeople& assumed, double seen, double rated) {
   shares[2] = 3 * rated * rated * not_rated;
   shares[3] = rated * rated * rated;
   shares *= sees;
-  const double guesses = 1 - sees, right = 1.0 / objects_per_stimulus;
+  const double guesses = 1 - sees, right = population.task.chance();
+  // "No" has no rating.
+  const double wrong_high = population.task.facts.right_is_yes ? 0 : assumed.high_guesses;
   shares[0] += guesses * right * (1 - assumed.high_guesses);
   shares[1] += guesses * right * assumed.high_guesses;
-  shares[highest_rating] = guesses * (1 - right) * (1 - assumed.high_guesses);
-  shares[highest_rating + 1] = guesses * (1 - right) * assumed.high_guesses;
+  shares[highest_rating] = guesses * (1 - right) * (1 - wrong_high);
+  shares[highest_rating + 1] = guesses * (1 - right) * wrong_high;
   return shares;
 }
 
@@ -89,6 +94,25 @@ std::string midpoints_text(const LevelAxis& axis, const std::vector<PlannedCurve
   for (const PlannedCurve& curve : curves)
     midpoints.push_back(fmt::format("{} {}", name_of(curve), estimated_text(axis, curve.midpoint)));
   return fmt::format("{}", fmt::join(midpoints, ", "));
+}
+
+/// What people do who see the seam, and who do not.
+std::string answers_text(const PlannedTask& task) {
+  const TaskFacts& facts = task.facts;
+  const std::string rates = facts.rates ? " and rates 1 + Binomial(3, P(seen))" : "";
+  if (!facts.right_is_yes) {
+    const std::array<const char*, 4> numbers = {"none", "one", "two", "three"};
+    return fmt::format("who sees chooses right{}; who does not guesses one of {}{}", rates,
+                       numbers.at(static_cast<std::size_t>(facts.alternatives)),
+                       facts.rates ? " and rates 1" : "");
+  }
+  const std::string not_seen = facts.chooses ? "no" : "the lowest label";
+  return fmt::format("who sees {}{}; who does not answers {}{}",
+                     facts.chooses ? "says yes" : "chooses a higher label", rates, not_seen,
+                     task.false_alarms > 0
+                         ? fmt::format(", but in {:g} % of the trials {}", 100 * task.false_alarms,
+                                       facts.chooses ? "yes" : "the next one")
+                         : "");
 }
 
 }  // namespace
@@ -113,6 +137,15 @@ PlannedPerson draw_person(const PlannedPopulation& population, std::size_t curve
   return person;
 }
 
+PlannedAnswer guess_of(const PlannedPopulation& population, std::uint64_t place, Random& random) {
+  const AssumedPeople& assumed = population.assumed;
+  const TaskFacts& task = population.task.facts;
+  const bool right = task.right_is_yes ? random.uniform() < population.task.false_alarms
+                                       : random.below(static_cast<std::uint64_t>(task.alternatives)) == place;
+  const bool high = assumed.high_guesses > 0 && random.uniform() < assumed.high_guesses;
+  return {.right = right, .rating = high && (right || !task.right_is_yes) ? 2 : 1};
+}
+
 PlannedAnswer answer_of(const PlannedPopulation& population, const PlannedPerson& person,
                         const std::vector<PlannedCurve>& curves, std::size_t curve, double level,
                         std::uint64_t place, Random& random) {
@@ -131,17 +164,14 @@ PlannedAnswer answer_of(const PlannedPopulation& population, const PlannedPerson
   };
   const bool looks = assumed.lapse <= 0 || random.uniform() >= assumed.lapse;
   const double seen = probability(own);
-  if (!looks || random.uniform() >= seen) {
-    const bool right = random.below(objects_per_stimulus) == place;
-    const bool high = assumed.high_guesses > 0 && random.uniform() < assumed.high_guesses;
-    return {.right = right, .rating = high ? 2 : 1};
-  }
+  if (!looks || random.uniform() >= seen) return guess_of(population, place, random);
   const double rated = assumed.criteria_sd > 0 ? probability(own + person.rating_shift) : seen;
-  return {.right = true, .rating = 1 + random.binomial(highest_rating - 1, rated)};
+  const int rating = 1 + random.binomial(highest_rating - 1, rated);
+  return {.right = true, .rating = population.task.facts.rates ? rating : 1};
 }
 
 double mean_noticeability(const PlannedPopulation& population, const PlannedCurve& curve, double x,
-                          bool corrected) {
+                          JointMean mean) {
   const AssumedPeople& assumed = population.assumed;
   const SpreadInX spread = spread_in_x(population);
   const double past_x = x - x_of(population.axis, curve.midpoint);
@@ -149,11 +179,11 @@ double mean_noticeability(const PlannedPopulation& population, const PlannedCurv
     const double scale = spread.scale * std::exp(log_ratio);
     return normal_mean<double>(spread.people, scale, 0, [&](double shift) {
       const double seen = falling((past_x - shift) / scale);
-      if (spread.criteria <= 0) return person_mean(assumed, seen, seen, corrected);
+      if (spread.criteria <= 0) return person_mean(population, seen, seen, mean);
       const double rated = normal_mean<double>(spread.criteria, scale, 0, [&](double rating_shift) {
         return falling((past_x - shift - rating_shift) / scale);
       });
-      return person_mean(assumed, seen, rated, corrected);
+      return person_mean(population, seen, rated, mean);
     });
   });
 }
@@ -163,54 +193,61 @@ Eigen::VectorXd answer_shares(const PlannedPopulation& population, const Planned
   const SpreadInX spread = spread_in_x(population);
   const double past_x = x - x_of(population.axis, curve.midpoint);
   const Shares none = Shares::Zero();
-  return normal_mean<Shares>(assumed.slope_sd, 1, none, [&](double log_ratio) {
+  const Shares shares = normal_mean<Shares>(assumed.slope_sd, 1, none, [&](double log_ratio) {
     const double scale = spread.scale * std::exp(log_ratio);
     return normal_mean<Shares>(spread.people, scale, none, [&](double shift) {
       const double seen = falling((past_x - shift) / scale);
-      if (spread.criteria <= 0) return person_shares(assumed, seen, seen);
+      if (spread.criteria <= 0) return person_shares(population, seen, seen);
       return normal_mean<Shares>(spread.criteria, scale, none, [&](double rating_shift) {
-        return person_shares(assumed, seen, falling((past_x - shift - rating_shift) / scale));
+        return person_shares(population, seen, falling((past_x - shift - rating_shift) / scale));
       });
     });
   });
+  if (population.task.facts.rates) return shares;
+  return Eigen::Vector2d(shares.head(highest_rating).sum(), shares.tail(highest_rating).sum());
 }
 
 double true_crossing(const PlannedPopulation& population, const PlannedCurve& curve, double level,
-                     bool corrected) {
+                     JointMean mean) {
   const SpreadInX spread = spread_in_x(population);
   const double reach_x = 40 * spread.scale * std::exp(3 * population.assumed.slope_sd) +
                          10 * std::hypot(spread.people, spread.criteria);
   const double middle_x = x_of(population.axis, curve.midpoint);
-  return falling_crossing([&](double x) { return mean_noticeability(population, curve, x, corrected); },
-                          level, middle_x - reach_x, middle_x + reach_x);
+  return falling_crossing([&](double x) { return mean_noticeability(population, curve, x, mean); }, level,
+                          middle_x - reach_x, middle_x + reach_x);
 }
 
 std::string assumptions_text(const PlannedPopulation& population, const std::vector<PlannedCurve>& curves) {
   const ObserverDefinition& observer = population.observer;
   const AssumedPeople& assumed = population.assumed;
   const LevelAxis& axis = population.axis;
+  const PlannedTask& task = population.task;
   const bool linear = is_linear(axis);
   const std::string unit = length_unit(axis);
   std::string text = fmt::format(
       "Assumed of people: half is seen at a {} of a person's own, about {} with a standard deviation of {:g} "
       "{}; "
-      "seeing is logistic with a scale of {:g} {}{}; who sees chooses right and rates 1 + Binomial(3, "
-      "P(seen)); "
-      "who does not guesses one of three and rates 1",
+      "seeing is logistic with a scale of {:g} {}{}; {}",
       level_word(axis), midpoints_text(axis, curves),
       linear ? observer.people_sd_linear : observer.people_sd_octaves, unit,
       linear ? observer.scale_linear : observer.scale_octaves, unit,
       assumed.slope_sd > 0 ? fmt::format(", which differs between people (ln SD {:g})", assumed.slope_sd)
-                           : "");
+                           : "",
+      answers_text(task));
   text +=
       assumed.high_guesses > 0 ? fmt::format(", {:g} % of the time 2. ", 100 * assumed.high_guesses) : ". ";
+  if (!task.asks_as_paper() || task.repetitions > 1)
+    text += fmt::format("The task is {}, each stimulus {}. {} ", word(task.facts.kind),
+                        task.repetitions == 1 ? "once" : fmt::format("{} times", task.repetitions),
+                        chance_sentence(task));
   text += assumed.lapse > 0
               ? fmt::format("In {:g} % of the trials a person does not look. ", 100 * assumed.lapse)
               : "There are no lapses. ";
-  text += assumed.criteria_sd > 0
-              ? fmt::format("Where people begin to rate high differs from where they see (SD {:g} {}). ",
-                            assumed.criteria_sd, unit)
-              : "Everybody rates by the same criteria. ";
+  if (task.facts.rates)
+    text += assumed.criteria_sd > 0
+                ? fmt::format("Where people begin to rate high differs from where they see (SD {:g} {}). ",
+                              assumed.criteria_sd, unit)
+                : "Everybody rates by the same criteria. ";
   text += assumed.artifact_sd > 0
               ? fmt::format("Each person has a shift of their own for each curve (SD {:g} {}). ",
                             assumed.artifact_sd, unit)

@@ -1,9 +1,12 @@
 #pragma once
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "analysis/foresight/planned_task.h"
+#include "analysis/joint/joint_mean_curve.h"
 #include "analysis/scores/level_axis.h"
 #include "stimuli/definition/study_definition.h"
 #include "support/arithmetic/random.h"
@@ -19,6 +22,8 @@ struct AssumedPeople {
   double criteria_sd = 0;   ///< of how far a person's rating curve lies from their seeing curve
   double artifact_sd = 0;   ///< of a shift that each person has for each curve, beside their own
   double high_guesses = 0;  ///< share of the guesses rated 2 instead of 1
+  /// How often people who see nothing say yes, in tasks that ask for that; none: as simulated people do.
+  std::optional<double> false_alarms = {};
 
   bool operator==(const AssumedPeople&) const = default;
 };
@@ -27,7 +32,7 @@ struct AssumedPeople {
 struct PlannedCurve {
   Artifact artifact = Artifact::none;
   std::string condition;  ///< empty where the study has one
-  int objects = 0;        ///< shown at each level
+  int objects = 0;        ///< shown at each level, each as often as the task repeats it
   double midpoint = 0;    ///< level at which the average person sees it half of the time
 };
 
@@ -39,6 +44,7 @@ struct PlannedPopulation {
   ObserverDefinition observer;
   AssumedPeople assumed;
   LevelAxis axis;
+  PlannedTask task = {};
 };
 
 /// A person: their own shifts and scale.
@@ -54,33 +60,38 @@ struct PlannedPerson {
 
 /// A choice and its rating.
 struct PlannedAnswer {
-  bool right = false;
-  int rating = 0;  ///< 1..4
+  bool right = false;  ///< or yes
+  int rating = 0;      ///< 1..4; 1 where none is asked for
 };
 
-/// `place` is where the right object stands, 0 to 2.
+/// Of somebody who sees nothing. `place` is the right alternative, from 0.
+[[nodiscard]] PlannedAnswer guess_of(const PlannedPopulation& population, std::uint64_t place,
+                                     Random& random);
+
 [[nodiscard]] PlannedAnswer answer_of(const PlannedPopulation& population, const PlannedPerson& person,
                                       const std::vector<PlannedCurve>& curves, std::size_t curve,
                                       double level, std::uint64_t place, Random& random);
 
 /// Mean noticeability over everybody at x of LevelAxis,
 ///
-///     E = mean of (1 - l) P (1 + 3 Q) + (1 - (1 - l) P) g / 3,    P, Q = 1 / (1 + exp((x - m - shift) /
+///     E = mean of (1 - l) P (1 + 3 Q) + (1 - (1 - l) P) b g,    P, Q = 1 / (1 + exp((x - m - shift) /
 ///     scale))
 ///
-/// P with the person's shifts, Q (of the ratings) with their rating shift besides, l the lapses, and g the
-/// mean rating of a guess. `corrected` leaves out the second term, which is what guesses add. By trapezoidal
-/// sums over normal densities, whose error is under 1e-9.
+/// P with the person's shifts, Q (of the ratings) with their rating shift besides, l the lapses, b the chance
+/// of the task, and g the mean rating of a guess. `seen` leaves out the second term, which is what guesses
+/// add; `detected` the ratings, too, as a task without ratings does. By trapezoidal sums over normal
+/// densities, whose error is under 1e-9.
 [[nodiscard]] double mean_noticeability(const PlannedPopulation& population, const PlannedCurve& curve,
-                                        double x, bool corrected);
+                                        double x, JointMean mean);
 
-/// Shares of all answers at x that are right and rated 1 to 4, then wrong and rated 1 to 4; they sum to 1.
+/// Shares of all answers at x that are right and rated 1 to K, then wrong and rated 1 to K (K of the task);
+/// they sum to 1.
 [[nodiscard]] Eigen::VectorXd answer_shares(const PlannedPopulation& population, const PlannedCurve& curve,
                                             double x);
 
 /// x at which `mean_noticeability` equals a level, from its own values between the levels tested too.
 [[nodiscard]] double true_crossing(const PlannedPopulation& population, const PlannedCurve& curve,
-                                   double level, bool corrected);
+                                   double level, JointMean mean);
 
 /// What is assumed of people, in sentences that a reader can question.
 [[nodiscard]] std::string assumptions_text(const PlannedPopulation& population,

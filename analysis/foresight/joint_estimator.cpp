@@ -1,5 +1,6 @@
 #include "analysis/foresight/joint_estimator.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -12,21 +13,18 @@ namespace {
 
 /// Answers at every cell of the study whose estimates are the limit: penalties count for nothing beside them.
 constexpr double answers_of_a_limit = 1e7;
-
-JointQuantity joint_quantity(const PlannedQuantity& quantity) {
-  const bool pt = quantity.level == every_planned_quantity[0].level;
-  if (quantity.corrected)
-    return pt ? JointQuantity::perceptual_corrected : JointQuantity::slightly_noticeable_corrected;
-  return pt ? JointQuantity::perceptual : JointQuantity::slightly_noticeable;
-}
+/// What the analysis takes for false alarms where there never is one, of as many reference trials.
+constexpr double least_chance = 0.5 / answers_of_a_limit;
 
 /// A table without answers.
-JointData empty_data(const std::vector<PlannedCurve>& curves, const std::vector<double>& level_x,
-                     int people) {
+JointData empty_data(const std::vector<PlannedCurve>& curves, const std::vector<double>& level_x, int ratings,
+                     double chance, int people) {
   JointData data;
+  data.ratings = ratings;
   for (std::size_t curve = 0; curve < curves.size(); ++curve) {
     data.curves.push_back(name_of(curves[curve]));
-    for (const double x : level_x) data.cells.push_back({.curve = static_cast<int>(curve), .x = x});
+    for (const double x : level_x)
+      data.cells.push_back({.curve = static_cast<int>(curve), .x = x, .chance = chance});
   }
   for (int p = 0; p < people; ++p) data.people.push_back(std::to_string(p));
   data.references = Eigen::MatrixXd::Zero(people, data.ratings);
@@ -35,7 +33,7 @@ JointData empty_data(const std::vector<PlannedCurve>& curves, const std::vector<
 
 LevelInterval difference_of(const JointFit& fit, const JointJackknife& left_out, const PlanTarget& target,
                             double t) {
-  const JointQuantity quantity = joint_quantity(target.quantity);
+  const JointQuantity quantity = target.quantity.joint;
   const std::optional<JointPlace> to =
       place_of(fit.model, fit.theta, static_cast<int>(target.curve), quantity);
   const std::optional<JointPlace> from =
@@ -51,14 +49,16 @@ LevelInterval difference_of(const JointFit& fit, const JointJackknife& left_out,
 std::vector<LevelInterval> joint_intervals(const std::vector<PlannedCurve>& curves,
                                            const SimulatedAnswers& answers, int people,
                                            const std::vector<PlanTarget>& targets) {
-  JointData data = empty_data(curves, answers.level_x, people);
+  JointData data =
+      empty_data(curves, answers.level_x, answers.task.ratings(), chance_of(answers, people), people);
   data.answers = answers.counts.topRows(people);
+  data.references = answers.references.topRows(people);
   const JointFit fit = fit_shared(data, {}, true).fit;
   std::vector<LevelInterval> intervals(targets.size());
   if (!fit.estimated()) return intervals;
   const JointJackknife left_out = leave_people_out(fit, data, 1);
   const auto interval_of = [&](std::size_t curve, const PlannedQuantity& quantity) {
-    return joint_threshold(fit, data, left_out, static_cast<int>(curve), joint_quantity(quantity)).here.ci95;
+    return joint_threshold(fit, data, left_out, static_cast<int>(curve), quantity.joint).here.ci95;
   };
   const double t = two_sided_critical(1 - confidence, people - 1.0);
   for (std::size_t i = 0; i < targets.size(); ++i) {
@@ -75,7 +75,8 @@ std::vector<std::optional<double>> joint_limits(const PlannedPopulation& populat
                                                 const std::vector<PlannedCurve>& curves,
                                                 const std::vector<PlanTarget>& targets,
                                                 const std::vector<double>& level_x) {
-  JointData data = empty_data(curves, level_x, 1);
+  const PlannedTask& task = population.task;
+  JointData data = empty_data(curves, level_x, task.ratings(), std::max(task.chance(), least_chance), 1);
   data.answers.resize(1, static_cast<Eigen::Index>(data.cells.size()) * data.cell_counts());
   for (std::size_t cell = 0; cell < data.cells.size(); ++cell)
     data.answers.row(0).segment(static_cast<Eigen::Index>(cell) * data.cell_counts(), data.cell_counts()) =
@@ -86,7 +87,7 @@ std::vector<std::optional<double>> joint_limits(const PlannedPopulation& populat
   std::vector<std::optional<double>> limits(targets.size());
   if (!theta) return limits;
   for (std::size_t i = 0; i < targets.size(); ++i) {
-    const JointQuantity quantity = joint_quantity(targets[i].quantity);
+    const JointQuantity quantity = targets[i].quantity.joint;
     const auto place = [&](std::size_t curve) {
       return place_of(model, *theta, static_cast<int>(curve), quantity);
     };

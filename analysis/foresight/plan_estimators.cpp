@@ -53,14 +53,14 @@ std::vector<LevelInterval> straight_line_intervals(const SimulatedAnswers& answe
   for (const PlanTarget& target : targets) {
     const auto& [quantity, curve, against, truth_x] = target;
     if (against) {
-      intervals.push_back(difference_interval(scores(curve, quantity.corrected),
-                                              scores(*against, quantity.corrected), quantity.level,
+      intervals.push_back(difference_interval(scores(curve, quantity.corrected()),
+                                              scores(*against, quantity.corrected()), quantity.sought.level,
                                               answers.level_x, seed));
       continue;
     }
-    const auto [found, fresh] = means.try_emplace({curve, quantity.corrected});
-    if (fresh) found->second = mean_and_covariance(scores(curve, quantity.corrected));
-    intervals.push_back(level_interval(quantity.level, answers.level_x, found->second, people));
+    const auto [found, fresh] = means.try_emplace({curve, quantity.corrected()});
+    if (fresh) found->second = mean_and_covariance(scores(curve, quantity.corrected()));
+    intervals.push_back(level_interval(quantity.sought.level, answers.level_x, found->second, people));
   }
   return intervals;
 }
@@ -70,8 +70,8 @@ std::optional<double> straight_line_limit(const PlannedPopulation& population, c
                                           const std::vector<double>& level_x) {
   std::vector<double> means;
   for (const double x : level_x)
-    means.push_back(mean_noticeability(population, curve, x, quantity.corrected));
-  const double x = largest_x_at(quantity.level, level_x, means);
+    means.push_back(mean_noticeability(population, curve, x, quantity.sought.mean));
+  const double x = largest_x_at(quantity.sought.level, level_x, means);
   return std::isfinite(x) ? std::optional(x) : std::nullopt;
 }
 

@@ -23,11 +23,11 @@ constexpr std::uint64_t plan_salt = 0x706c616e;  // "plan"
 
 void check_study(const PlanRequest& request, const StudyDefinition& study) {
   const std::string file = request.study_file.string();
-  if (!std::holds_alternative<ConstantDefinition>(study.procedure))
+  if (is_placed_by_answers(study))
     throw input_error({.file = file,
                        .field = "procedure",
                        .wanted = "\"constant\" (an adaptive session chooses its levels itself)",
-                       .found = "\"quest_plus\""});
+                       .found = study.task && study.task->staircase ? "\"staircase\"" : "\"quest_plus\""});
   if (study.observer.direction != study.level.noticeability)
     throw input_error(
         {.file = file,
@@ -36,6 +36,28 @@ void check_study(const PlanRequest& request, const StudyDefinition& study) {
                        ? "\"falls\" (PT and SN are of noticeability that falls with the level)"
                        : "\"rises\" (the study says that noticeability rises with the level)",
          .found = study.observer.direction == Direction::decreasing ? "\"falls\"" : "\"rises\""});
+}
+
+/// What is assumed of ratings has no meaning where nobody is asked for one.
+void check_ratings(const PlanRequest& request, const PlannedTask& task) {
+  if (task.facts.rates) return;
+  const std::string wanted = "a study that asks for ratings",
+                    found = "kind = \"" + std::string(word(task.facts.kind)) + "\", which asks for none";
+  if (request.assumed.criteria_sd > 0)
+    throw input_error({.field = "--criteria-sd", .wanted = wanted, .found = found});
+  if (request.assumed.high_guesses > 0)
+    throw input_error({.field = "--high-guesses", .wanted = wanted, .found = found});
+  if (request.estimator == PlanEstimator::straight_lines)
+    throw input_error({.field = "--estimator", .wanted = "joint, or " + wanted, .found = found});
+}
+
+/// Straight lines join means of ratings, which say nothing of detection.
+void check_detection(const PlanRequest& request) {
+  const std::vector<std::string>& asked = request.wanted.quantities;
+  if (request.estimator == PlanEstimator::straight_lines &&
+      std::find(asked.begin(), asked.end(), "detection") != asked.end())
+    throw input_error(
+        {.field = "--quantities", .wanted = "detection beside --estimator joint", .found = "straight-lines"});
 }
 
 /// Artifacts of all scenes, and of each its conditions. An artifact without a midpoint is wrong input.
@@ -163,25 +185,28 @@ std::vector<LevelSet> level_sets_to_try(const std::vector<double>& levels, const
 
 StudyPlan plan_study(const PlanRequest& request) {
   const StudyDefinition study = read_study(request.study_file, AssetCheck::not_needed);
-  require_papers_task(study, "plan");
+  const PlannedTask task = planned_task(study, request.assumed.false_alarms);
   check_study(request, study);
+  check_ratings(request, task);
+  check_detection(request);
   StudyPlan plan;
   plan.request = request;
+  plan.references = task.references;
   plan.curves = curves_of(request, study);
   const std::vector<double> levels = levels_of(request, study, plan.axis);
   check_claims(request, levels, plan.axis);
   const PlannedPopulation population{
-      .observer = study.observer, .assumed = request.assumed, .axis = plan.axis};
+      .observer = study.observer, .assumed = request.assumed, .axis = plan.axis, .task = task};
   plan.targets = plan_targets(request.wanted, population, plan.curves);
   plan.level_sets = level_sets_to_try(levels, plan.axis, plan.targets);
   plan.assumptions = assumptions_text(population, plan.curves);
   if (const std::string scenes = scenes_assumed_text(request, plan.axis); !scenes.empty())
     plan.assumptions += " " + scenes;
   for (const PlannedCurve& curve : plan.curves) {
-    plan.stimuli_a_level += curve.objects;
+    plan.trials_a_level += curve.objects * task.repetitions;
     if (request.no_seam)
       plan.seam_truth.push_back(
-          mean_noticeability(population, curve, x_of(plan.axis, request.no_seam->level), true));
+          mean_noticeability(population, curve, x_of(plan.axis, request.no_seam->level), JointMean::seen));
   }
   plan.bias_x.resize(plan.targets.size());
   for (const LevelSet& set : plan.level_sets) {

@@ -91,12 +91,13 @@ struct StudyPlan {
   std::vector<SequentialRow> sequential;  ///< by level set; empty where not asked for
   std::vector<double> seam_truth;         ///< corrected noticeability at the claim's level, one a curve
   std::string assumptions;
-  int stimuli_a_level = 0;  ///< objects of all artifacts and conditions: trials a participant and level
+  int trials_a_level = 0;  ///< of a participant, of all artifacts and conditions
+  int references = 0;      ///< reference trials of a participant, where chance is taken from them
 };
 
 /// Simulates studies of the people whom the study file's [observer] and `assumed` describe (constant
-/// stimuli), and computes their intervals. Throws InputError when the study cannot be read, is adaptive, has
-/// no seam or only one level, or something is asked for that it does not have.
+/// stimuli), and computes their intervals. Throws InputError when the study cannot be read, is adaptive, asks
+/// for a match, has no seam or only one level, or something is asked for that it does not have.
 [[nodiscard]] StudyPlan plan_study(const PlanRequest& request);
 
 /// The study's levels; every second of them, the finest kept; and, of depth widths, half octaves from half an

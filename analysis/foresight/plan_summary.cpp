@@ -34,8 +34,8 @@ bool lies_within(double x, const std::vector<double>& level_x) {
 bool is_within(const StudyPlan& plan, const PlannedPopulation& population, const PlanTarget& target,
                const std::vector<double>& level_x) {
   if (!target.against) return lies_within(target.truth_x, level_x);
-  const double other_x = true_crossing(population, plan.curves[*target.against], target.quantity.level,
-                                       target.quantity.corrected);
+  const SoughtMean& sought = target.quantity.sought;
+  const double other_x = true_crossing(population, plan.curves[*target.against], sought.level, sought.mean);
   return lies_within(other_x, level_x) && lies_within(other_x + target.truth_x, level_x);
 }
 

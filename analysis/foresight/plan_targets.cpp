@@ -40,6 +40,40 @@ std::vector<std::string> conditions_of(const std::vector<PlannedCurve>& curves) 
   return names;
 }
 
+/// What can be asked for in a task, and what is where nothing is said.
+std::vector<std::string> quantities_of(const PlannedTask& task) {
+  if (!task.facts.rates) return {"detection"};  // PT and SN are of ratings
+  std::vector<std::string> quantities;
+  for (const PlannedQuantity& quantity : every_planned_quantity) quantities.emplace_back(quantity.word);
+  return quantities;
+}
+
+/// Whether guesses alone reach a quantity's level, so that no threshold does: PT of a pair.
+bool lies_in_floor(const PlannedQuantity& quantity, const PlannedPopulation& population) {
+  const double floor = population.task.chance() * (1 + population.assumed.high_guesses);
+  return quantity.sought.mean == JointMean::as_counted && quantity.sought.level <= floor;
+}
+
+std::vector<std::string> quantities_asked(const WantedTargets& wanted, const PlannedPopulation& population) {
+  const auto& [pt, sn, corrected_pt, corrected_sn, detection] = every_planned_quantity;
+  if (!population.task.facts.rates) return {std::string(detection.word)};
+  for (const std::string& asked : wanted.quantities)
+    for (const PlannedQuantity& quantity : every_planned_quantity)
+      if (asked == quantity.word && lies_in_floor(quantity, population))
+        throw input_error({.field = "--quantities",
+                           .wanted = "a level that guesses alone do not reach, such as corrected-PT",
+                           .found = asked});
+  if (!wanted.quantities.empty()) return wanted.quantities;
+  return {std::string(lies_in_floor(pt, population) ? corrected_pt.word : pt.word),
+          std::string(lies_in_floor(sn, population) ? corrected_sn.word : sn.word)};
+}
+
+/// Where a quantity of a curve truly lies.
+double truth_of(const PlannedPopulation& population, const PlannedCurve& curve,
+                const PlannedQuantity& quantity) {
+  return true_crossing(population, curve, quantity.sought.level, quantity.sought.mean);
+}
+
 /// Pairs of curves of which the second is compared with the first.
 using CurvePairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
@@ -86,9 +120,7 @@ std::string name_of(const PlanTarget& target, const std::vector<PlannedCurve>& c
 
 std::vector<PlanTarget> plan_targets(const WantedTargets& wanted, const PlannedPopulation& population,
                                      std::vector<PlannedCurve>& curves) {
-  std::vector<std::string> quantities;
-  for (const PlannedQuantity& quantity : every_planned_quantity) quantities.emplace_back(quantity.word);
-  require_known("--quantities", wanted.quantities, quantities);
+  require_known("--quantities", wanted.quantities, quantities_of(population.task));
   require_known("--artifacts", wanted.artifacts, artifacts_of(curves));
   require_known("--conditions", wanted.conditions, conditions_of(curves));
   CurvePairs pairs;
@@ -97,26 +129,22 @@ std::vector<PlanTarget> plan_targets(const WantedTargets& wanted, const PlannedP
   if (wanted.stated_difference) state_difference(*wanted.stated_difference, pairs, population.axis, curves);
 
   std::vector<PlanTarget> targets;
-  const std::vector<std::string> asked =
-      wanted.quantities.empty() ? std::vector<std::string>{"PT", "SN"} : wanted.quantities;
+  const std::vector<std::string> asked = quantities_asked(wanted, population);
   for (std::size_t curve = 0; curve < curves.size(); ++curve)
     for (const PlannedQuantity& quantity : every_planned_quantity)
       if (!wanted.differences_alone && asks_for(asked, quantity.word) &&
           asks_for(wanted.artifacts, word(curves[curve].artifact)) &&
           asks_for(wanted.conditions, curves[curve].condition))
         targets.push_back(
-            {.quantity = quantity,
-             .curve = curve,
-             .truth_x = true_crossing(population, curves[curve], quantity.level, quantity.corrected)});
+            {.quantity = quantity, .curve = curve, .truth_x = truth_of(population, curves[curve], quantity)});
   for (const auto& [from, to] : pairs)
     for (const PlannedQuantity& quantity : every_planned_quantity)
       if (asks_for(asked, quantity.word))
-        targets.push_back(
-            {.quantity = quantity,
-             .curve = to,
-             .against = from,
-             .truth_x = true_crossing(population, curves[to], quantity.level, quantity.corrected) -
-                        true_crossing(population, curves[from], quantity.level, quantity.corrected)});
+        targets.push_back({.quantity = quantity,
+                           .curve = to,
+                           .against = from,
+                           .truth_x = truth_of(population, curves[to], quantity) -
+                                      truth_of(population, curves[from], quantity)});
   if (targets.empty())
     throw input_error({.field = "--artifacts",
                        .wanted = "something to measure",

@@ -6,21 +6,25 @@
 #include <vector>
 
 #include "analysis/foresight/simulated_answers.h"
+#include "analysis/joint/joint_quantities.h"
 
 namespace seamline::analysis {
 
 /// A threshold that a plan can be asked for.
 struct PlannedQuantity {
-  std::string_view word;   ///< as asked for
-  std::string_view name;   ///< as printed
-  double level = 0;        ///< of mean noticeability
-  bool corrected = false;  ///< for guessing
+  std::string_view word;  ///< as asked for
+  std::string_view name;  ///< as printed
+  JointQuantity joint = JointQuantity::perceptual;
+  SoughtMean sought = {};  ///< the mean that reaches which level there
+
+  [[nodiscard]] bool corrected() const { return sought.mean == JointMean::seen; }  ///< for guessing
 };
-inline constexpr std::array<PlannedQuantity, 4> every_planned_quantity = {
-    {{"PT", "PT", 0.5, false},
-     {"SN", "SN", 1.0, false},
-     {"corrected-PT", "corrected PT", 0.5, true},
-     {"corrected-SN", "corrected SN", 1.0, true}}};
+inline constexpr std::array<PlannedQuantity, 5> every_planned_quantity = {
+    {{"PT", "PT", JointQuantity::perceptual, {JointMean::as_counted, 0.5}},
+     {"SN", "SN", JointQuantity::slightly_noticeable, {JointMean::as_counted, 1.0}},
+     {"corrected-PT", "corrected PT", JointQuantity::perceptual_corrected, {JointMean::seen, 0.5}},
+     {"corrected-SN", "corrected SN", JointQuantity::slightly_noticeable_corrected, {JointMean::seen, 1.0}},
+     {"detection", "detection", JointQuantity::detection, {JointMean::detected, 0.5}}}};
 
 /// What the intervals are wanted of: a threshold of a curve, or how much further it lies than the same
 /// threshold of another.
@@ -31,8 +35,8 @@ struct PlanTarget {
   double truth_x = 0;  ///< of the assumed people, in x of LevelAxis
 };
 
-/// What is asked for, in the words of the command line. Empty lists: PT and SN, every artifact and condition,
-/// no difference.
+/// What is asked for, in the words of the command line. Empty lists: PT and SN (detection where nobody is
+/// asked for ratings), every artifact and condition, no difference.
 struct WantedTargets {
   std::vector<std::string> quantities = {};
   std::vector<std::string> artifacts = {}, conditions = {};

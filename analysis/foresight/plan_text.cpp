@@ -174,7 +174,7 @@ std::string bias_text(const StudyPlan& plan) {
 }
 
 std::string design_text(const StudyPlan& plan, const DesignRow& design) {
-  const int trials = static_cast<int>(level_count(plan, design)) * plan.stimuli_a_level;
+  const int trials = static_cast<int>(level_count(plan, design)) * plan.trials_a_level + plan.references;
   return fmt::format("{} participants, {}s \"{}\" ({} trials each, {} answers; chance {})",
                      design.participants, level_word(plan.axis), plan.level_sets[design.level_set].name,
                      trials, trials * design.participants, percent(design.assurance));
@@ -203,6 +203,12 @@ std::string quantities_text(const StudyPlan& plan) {
 bool compares(const StudyPlan& plan) {
   return std::any_of(plan.targets.begin(), plan.targets.end(),
                      [](const PlanTarget& target) { return target.against.has_value(); });
+}
+
+bool detects(const StudyPlan& plan) {
+  return std::any_of(plan.targets.begin(), plan.targets.end(), [](const PlanTarget& target) {
+    return target.quantity.joint == JointQuantity::detection;
+  });
 }
 
 /// The tables of what was asked for besides.
@@ -296,9 +302,10 @@ std::string plan_text(const StudyPlan& plan) {
   }
   text +=
       fmt::format(
-          "\nTrue: where the assumed people's expected mean truly crosses. Bias: what the estimates approach "
+          "\nTrue: where the assumed people's expected mean truly crosses{}. Bias: what the estimates approach "
           "with ever more participants, less that. Then the median length of the 95 % interval ({}), and "
           "the share of studies whose interval holds the truth.\n",
+          detects(plan) ? " (detection: where they see half, without guesses)" : "",
           is_linear(plan.axis) ? length_unit(plan.axis) : "octaves") +
       markdown_table(interval_table(plan)) +
       fmt::format("\nChance that all of them are at most {:g} {} long; and that all hold the truth.\n",

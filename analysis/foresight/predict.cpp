@@ -8,9 +8,9 @@
 #include <tuple>
 
 #include "analysis/detection/detection_comparison.h"
+#include "analysis/foresight/assumed_people.h"
 #include "analysis/thresholds/paper_values.h"
 #include "stimuli/set/manifest_pictures.h"
-#include "stimuli/study_file/parts/study_file_task.h"
 #include "study/observers/observer.h"
 #include "study/trials/rendered_set.h"
 #include "support/text/error.h"
@@ -22,6 +22,16 @@ struct CellSums {
   double difference = 0, noticeability = 0;
   int count = 0;
 };
+
+/// What people are expected to answer on average to a visible difference: noticeability, or the share who
+/// see it.
+double expected_mean(const ObserverDefinition& observer, double difference, const PlannedTask& task) {
+  if (task.asks_as_paper()) return study::expected_noticeability_of_difference(observer, difference);
+  const PlannedPopulation population{.observer = observer, .assumed = {}, .axis = {}, .task = task};
+  const PlannedCurve half_at_1{.artifact = {}, .condition = {}, .midpoint = 1};
+  return mean_noticeability(population, half_at_1, -std::log2(observer.image_gain.value() * difference),
+                            task.facts.rates ? JointMean::as_counted : JointMean::detected);
+}
 
 /// The floors that a set of `none` stimuli tells.
 DifferenceFloors floors_of(const std::filesystem::path& none_set, double ppd, int threads) {
@@ -99,7 +109,8 @@ double log2_or_beyond(const ThresholdEstimate& estimate) {
 
 std::vector<PredictedArtifact> predict_artifacts(const Manifest& manifest,
                                                  const VisibleDifferences& differences,
-                                                 const ObserverDefinition& observer, const LevelAxis& axis) {
+                                                 const ObserverDefinition& observer, const LevelAxis& axis,
+                                                 const PlannedTask& task) {
   const auto before = [&axis](double a, double b) { return comes_before(axis, a, b); };
   using Cells = std::map<double, CellSums, decltype(before)>;
   std::map<Artifact, Cells> sums;
@@ -109,7 +120,7 @@ std::vector<PredictedArtifact> predict_artifacts(const Manifest& manifest,
     CellSums& cell = cells[of_depth_widths(axis) ? record.stimulus.depth.width_px : record.stimulus.level];
     const double difference = differences.at(record.id).above_floor;
     cell.difference += difference;
-    cell.noticeability += study::expected_noticeability_of_difference(observer, difference);
+    cell.noticeability += expected_mean(observer, difference, task);
     ++cell.count;
   }
   std::vector<PredictedArtifact> artifacts;
@@ -131,18 +142,21 @@ std::vector<PredictedArtifact> predict_artifacts(const Manifest& manifest,
 }
 
 std::vector<SceneSpread> scene_spreads(const Manifest& manifest, const VisibleDifferences& differences,
-                                       const ObserverDefinition& observer, const LevelAxis& axis) {
+                                       const ObserverDefinition& observer, const LevelAxis& axis,
+                                       const PlannedTask& task) {
   std::map<std::string, Manifest> by_scene;
   for (const ManifestStimulus& record : manifest.stimuli)
     by_scene[record.stimulus.scene].stimuli.push_back(record);
   std::map<Artifact, std::vector<CurveThresholds>> thresholds;
   for (const auto& [scene, part] : by_scene)
-    for (const PredictedArtifact& artifact : predict_artifacts(part, differences, observer, axis))
+    for (const PredictedArtifact& artifact : predict_artifacts(part, differences, observer, axis, task))
       thresholds[artifact.artifact].push_back(artifact.thresholds);
   std::vector<SceneSpread> spreads;
   for (const auto& [artifact, curves] : thresholds) {
     if (curves.size() < 2) continue;
-    spreads.push_back(spread_of(artifact, "PT", curves, &CurveThresholds::perceptual));
+    spreads.push_back(
+        spread_of(artifact, task.facts.rates ? "PT" : "detection", curves, &CurveThresholds::perceptual));
+    if (!task.facts.rates) continue;
     spreads.push_back(spread_of(artifact, "SN", curves, &CurveThresholds::slightly_noticeable));
   }
   return spreads;
@@ -169,7 +183,7 @@ double calibrated_gain(const Manifest& manifest, const VisibleDifferences& diffe
 
 Prediction predict_thresholds(const PredictionRequest& request) {
   const study::RenderedSet set = study::load_rendered_set(request.set_folder);
-  require_papers_task(set.study, "predict");
+  const PlannedTask task = planned_task(set.study, std::nullopt);
   check_manifest_pictures(set.folder, set.manifest);
   const std::string manifest_file = (request.set_folder / "manifest.json").string();
   if (request.calibrate && set.study.level.quantity != Quantity::depth_width_px)
@@ -177,6 +191,11 @@ Prediction predict_thresholds(const PredictionRequest& request) {
                        .field = "level.quantity",
                        .wanted = "\"depth_width_px\", on which the paper's threshold is, or no --calibrate",
                        .found = "\"" + std::string(facts(set.study.level.quantity).key) + "\""});
+  if (request.calibrate && !task.asks_as_paper())
+    throw input_error({.file = manifest_file,
+                       .field = "--calibrate",
+                       .wanted = "the paper's task, of which its threshold is, or no --calibrate",
+                       .found = "kind = \"" + std::string(word(task.facts.kind)) + "\""});
   if (set.study.conditions.size() > 1)
     throw input_error({.file = manifest_file,
                        .field = "condition",
@@ -184,6 +203,7 @@ Prediction predict_thresholds(const PredictionRequest& request) {
                        .found = std::to_string(set.study.conditions.size())});
   Prediction prediction{.observer = set.study.observer,
                         .axis = prediction_axis(set.study.level),
+                        .task = task,
                         .artifacts = {},
                         .depth_errors = depth_errors_of_set(set.manifest)};
   if (request.pixels_per_degree) prediction.observer.pixels_per_degree = *request.pixels_per_degree;
@@ -203,8 +223,9 @@ Prediction predict_thresholds(const PredictionRequest& request) {
     prediction.observer.image_gain =
         calibrated_gain(set.manifest, differences, prediction.observer,
                         paper_thresholds(Artifact::receiver).value().perceptual_px.value());
-  prediction.artifacts = predict_artifacts(set.manifest, differences, prediction.observer, prediction.axis);
-  prediction.spreads = scene_spreads(set.manifest, differences, prediction.observer, prediction.axis);
+  prediction.artifacts =
+      predict_artifacts(set.manifest, differences, prediction.observer, prediction.axis, task);
+  prediction.spreads = scene_spreads(set.manifest, differences, prediction.observer, prediction.axis, task);
   if (prediction.artifacts.empty())
     throw input_error({.file = (request.set_folder / "manifest.json").string(),
                        .field = "stimuli",

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/foresight/planned_task.h"
 #include "analysis/scores/level_axis.h"
 #include "analysis/thresholds/thresholds.h"
 #include "stimuli/definition/study_definition.h"
@@ -26,20 +27,24 @@ struct PredictionRequest {
 /// One artifact at one level: what the `image` observer is expected to answer on average.
 struct PredictedCell {
   double level = 0;
-  double visible_difference = 0;      ///< above the floor, mean over scenes and objects
-  double expected_noticeability = 0;  ///< 0 to 4, mean over scenes and objects, guessing included
+  double visible_difference = 0;  ///< above the floor, mean over scenes and objects
+  /// 0 to 4, mean over scenes and objects, guessing included; of tasks without ratings the share of people
+  /// who see it, 0 to 1.
+  double expected_noticeability = 0;
 };
 
 struct PredictedArtifact {
   Artifact artifact = Artifact::none;
   std::vector<PredictedCell> cells;  ///< along the axis, what stands apart last
-  CurveThresholds thresholds;        ///< without intervals
+  /// Without intervals. Of tasks without ratings `perceptual` is detection: half see it; the others mean
+  /// nothing.
+  CurveThresholds thresholds;
 };
 
 /// How a predicted threshold differs between the scenes of a set: each scene's own, from its own objects.
 struct SceneSpread {
   Artifact artifact = Artifact::none;
-  std::string quantity;  ///< "PT" or "SN"
+  std::string quantity;  ///< "PT", "SN" or "detection"
   int scenes = 0;        ///< of the artifact, at least two
   int with_value = 0;    ///< of those, whose threshold lies within the levels
   double mean_x = 0;     ///< of those, mean x of LevelAxis: of widths their log2
@@ -58,6 +63,7 @@ struct Prediction {
   ObserverDefinition observer;  ///< with the gain that was used
   GainSource gain_source = GainSource::detection;
   LevelAxis axis = {};
+  PlannedTask task = {};
   bool floor_known = false;  ///< some stimulus without a seam told what rendering noise looks like
   double highest_floor = 0;
   std::vector<PredictedArtifact> artifacts;        ///< in the order of `every_artifact`, without `none`
@@ -67,7 +73,8 @@ struct Prediction {
 
 /// Thresholds predicted from the pictures of a set alone, before anyone is asked: the functionals of
 /// `thresholds_of_means` on the expected means of the `image` observer. Throws InputError when the set cannot
-/// be read, holds no seam, has several conditions, or no gain gives the wanted receiver threshold; that is
+/// be read, holds no seam, has several conditions, asks for a match, or no gain gives the wanted receiver
+/// threshold; that is
 /// asked of widths of depth maps only.
 [[nodiscard]] Prediction predict_thresholds(const PredictionRequest& request);
 
@@ -75,13 +82,15 @@ struct Prediction {
 [[nodiscard]] std::vector<PredictedArtifact> predict_artifacts(const Manifest& manifest,
                                                                const VisibleDifferences& differences,
                                                                const ObserverDefinition& observer,
-                                                               const LevelAxis& axis = {});
+                                                               const LevelAxis& axis = {},
+                                                               const PlannedTask& task = {});
 
 /// How thresholds differ between scenes, for each artifact with two scenes or more.
 [[nodiscard]] std::vector<SceneSpread> scene_spreads(const Manifest& manifest,
                                                      const VisibleDifferences& differences,
                                                      const ObserverDefinition& observer,
-                                                     const LevelAxis& axis = {});
+                                                     const LevelAxis& axis = {},
+                                                     const PlannedTask& task = {});
 
 /// The gain with which the receiver artifact's perceptual threshold is `receiver_px`, by bisection to 1e-9
 /// octaves (a larger gain never lowers a threshold). Throws InputError when there is none.

@@ -26,14 +26,19 @@ std::vector<CLI::Option*> add_assumptions(CLI::App& command, AssumedPeople& assu
               ->capture_default_str(),
           add_number(command, "--high-guesses", assumed.high_guesses, {0, 1},
                      "assumed: share of the guesses rated 2 instead of 1")
-              ->capture_default_str()};
+              ->capture_default_str(),
+          add_number(command, "--false-alarms", assumed.false_alarms, {0, 0.9},
+                     "assumed, of tasks yes_no (0.1) and rating (0): how often people who see nothing answer "
+                     "that they do")};
 }
 
 std::vector<CLI::Option*> add_wanted(CLI::App& command, WantedTargets& wanted) {
   return {
       command
-          .add_option("--quantities", wanted.quantities,
-                      "what is wanted: PT, SN, corrected-PT, corrected-SN, with commas (PT,SN)")
+          .add_option(
+              "--quantities", wanted.quantities,
+              "what is wanted: PT, SN, corrected-PT, corrected-SN, detection, with commas (PT,SN; without "
+              "ratings: detection)")
           ->delimiter(','),
       command.add_option("--artifacts", wanted.artifacts, "of these artifacts, with commas (all)")
           ->delimiter(','),

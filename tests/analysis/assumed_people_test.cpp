@@ -22,12 +22,13 @@ TEST(AssumedPeople, WhoAreTheThresholdObserversHaveTheirMeans) {
     population.observer.scale_octaves = scale;
     population.observer.people_sd_octaves = sd;
     for (const int width : test::paper_widths_px)
-      EXPECT_NEAR(mean_noticeability(population, receiver, std::log2(width), false),
+      EXPECT_NEAR(mean_noticeability(population, receiver, std::log2(width), JointMean::as_counted),
                   study::expected_noticeability(population.observer, Artifact::receiver, width), 1e-9)
           << scale << " " << sd << " " << width;
     const PlantedThresholds planted = planted_thresholds(population.observer, {}, 300, {64, 512, 4096});
-    EXPECT_NEAR(true_crossing(population, receiver, 0.5, false), planted.perceptual_x, 1e-8);
-    EXPECT_NEAR(true_crossing(population, receiver, 1.0, false), planted.slightly_noticeable_x, 1e-8);
+    EXPECT_NEAR(true_crossing(population, receiver, 0.5, JointMean::as_counted), planted.perceptual_x, 1e-8);
+    EXPECT_NEAR(true_crossing(population, receiver, 1.0, JointMean::as_counted),
+                planted.slightly_noticeable_x, 1e-8);
   }
 }
 
@@ -38,7 +39,7 @@ TEST(AssumedPeople, WhoseCriteriaDifferHaveTheMeansOfAnotherComputation) {
   PlannedPopulation population;
   population.assumed.criteria_sd = 0.7;
   for (const int width : test::paper_widths_px)
-    EXPECT_NEAR(mean_noticeability(population, receiver, std::log2(width), false),
+    EXPECT_NEAR(mean_noticeability(population, receiver, std::log2(width), JointMean::as_counted),
                 test::detail::expected(other, Artifact::receiver, width), 1e-6);
 }
 
@@ -58,7 +59,9 @@ TEST(AssumedPeople, AnswerAsTheirMeansSay) {
     for (std::size_t level = 0; level < levels.size(); ++level) {
       const Eigen::VectorXd column = scores.col(static_cast<Eigen::Index>(level));
       const CellMean mean = mean_over_participants({column.begin(), column.end()});
-      EXPECT_NEAR(mean.mean, mean_noticeability(population, receiver, std::log2(levels[level]), corrected),
+      EXPECT_NEAR(mean.mean,
+                  mean_noticeability(population, receiver, std::log2(levels[level]),
+                                     corrected ? JointMean::seen : JointMean::as_counted),
                   4 * mean.sem)
           << corrected << " " << levels[level];
     }

@@ -63,7 +63,7 @@ TEST_F(PlanStudy, MorePeopleGiveShorterIntervals) {
   ASSERT_EQ(plan.level_sets.size(), 3U);
   ASSERT_EQ(plan.targets.size(), 4U);  // PT and SN of two artifacts
   ASSERT_EQ(plan.rows.size(), 4U * 3 * 3);
-  EXPECT_EQ(plan.stimuli_a_level, 6);
+  EXPECT_EQ(plan.trials_a_level, 6);
   for (std::size_t row = 0; row < plan.rows.size(); row += 3) {
     const auto median = [&](std::size_t n) {
       return plan.rows[row + n].interval.median_length.value_or(infinity);

@@ -81,6 +81,37 @@ TEST(Predict, ThresholdsAreThoseOfTheThresholdObserverWithTheSameCurve) {
   EXPECT_NEAR(found.slightly_noticeable.level_x.value(), expected.slightly_noticeable.level_x.value(), 1e-9);
 }
 
+/// Where nobody is asked for ratings, a threshold is where half see it, which no chance moves.
+TEST(Predict, WithoutRatingsItIsDetection) {
+  Study study;
+  study.add(Artifact::receiver, "left", 30);
+  const ObserverDefinition image{.image_gain = 10};
+  for (const TaskKind kind : {TaskKind::pair, TaskKind::yes_no}) {
+    Prediction prediction{.observer = image, .artifacts = {}};
+    prediction.task.facts = {.kind = kind, .alternatives = 2, .chance = 0.5, .rates = false};
+    prediction.artifacts = predict_artifacts(study.manifest, study.differences, image, {}, prediction.task);
+    const PredictedArtifact& receiver = prediction.artifacts[0];
+    EXPECT_NEAR(receiver.thresholds.perceptual.level_x.value(), std::log2(300), 0.02);
+    EXPECT_GT(receiver.cells.front().expected_noticeability, 0.95);
+    EXPECT_LT(receiver.cells.back().expected_noticeability, 0.05);
+    const std::string text = prediction_text(prediction);
+    EXPECT_NE(text.find("| detection |"), std::string::npos) << text;
+    EXPECT_EQ(text.find("paper"), std::string::npos) << text;
+  }
+}
+
+/// Who sees nothing is right by the chance of the task, and rates 1.
+TEST(Predict, NoticeabilityOfARatedTaskHasItsChance) {
+  Study study;
+  study.add(Artifact::receiver, "left", 0);
+  study.add(Artifact::shadow, "left", 1e9);
+  PlannedTask pair{.facts = {.kind = TaskKind::pair, .alternatives = 2, .chance = 0.5}};
+  const std::vector<PredictedArtifact> artifacts =
+      predict_artifacts(study.manifest, study.differences, {.image_gain = 10}, {}, pair);
+  EXPECT_NEAR(find(artifacts, Artifact::receiver).cells[0].expected_noticeability, 0.5, 1e-9);
+  EXPECT_NEAR(find(artifacts, Artifact::shadow).cells[0].expected_noticeability, 4, 1e-6);
+}
+
 TEST(Predict, CalibrationMeetsTheReceiversThreshold) {
   const Study study = example();
   ObserverDefinition observer;

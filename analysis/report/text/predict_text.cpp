@@ -14,13 +14,13 @@ namespace {
 
 CsvTable threshold_table(const Prediction& prediction) {
   const LevelAxis& axis = prediction.axis;
-  const bool widths = of_depth_widths(axis);
+  const bool widths = of_depth_widths(axis), beside_paper = widths && prediction.task.asks_as_paper();
   CsvTable table{.name = "prediction",
                  .columns = {{"artifact", "", ""},
                              {"quantity", "", ""},
                              {widths ? "predicted" : level_key(axis), widths ? "px" : "", ""}},
                  .rows = {}};
-  if (widths) {
+  if (beside_paper) {
     table.columns.push_back({"paper", "px", ""});
     table.columns.push_back({"predicted / paper", "octaves", ""});
   }
@@ -34,7 +34,7 @@ CsvTable threshold_table(const Prediction& prediction) {
       row.emplace_back(widths ? fmt::format("{:.0f}", *level) : estimated_text(axis, *level));
     else
       row.emplace_back(estimate.reason);
-    if (widths) {
+    if (beside_paper) {
       row.emplace_back(paper_px ? CsvValue(std::int64_t{*paper_px}) : CsvValue());
       const bool both = level && paper_px;
       row.emplace_back(both ? CsvValue(fmt::format("{:+.2f}", *estimate.level_x - std::log2(*paper_px)))
@@ -48,6 +48,10 @@ CsvTable threshold_table(const Prediction& prediction) {
   };
   for (const PredictedArtifact& predicted : prediction.artifacts) {
     const PaperThresholds paper = paper_thresholds(predicted.artifact).value_or(PaperThresholds{});
+    if (!prediction.task.facts.rates) {
+      add(predicted.artifact, "detection", predicted.thresholds.perceptual, std::nullopt);
+      continue;
+    }
     add(predicted.artifact, "PT", predicted.thresholds.perceptual, paper.perceptual_px);
     add(predicted.artifact, "SN", predicted.thresholds.slightly_noticeable, paper.slightly_noticeable_px);
     add(predicted.artifact, "IP", predicted.thresholds.inflection, paper.inflection_px);
@@ -130,11 +134,16 @@ std::string joined(const std::vector<Artifact>& artifacts) {
 
 std::string prediction_text(const Prediction& prediction) {
   std::string text = "Predicted from the pictures alone; nobody was asked.\n\n";
+  if (!prediction.task.facts.rates) text += "Detection: half of the people see it, guesses taken out.\n\n";
   text += markdown_table(threshold_table(prediction)) + "\n";
-  text += "Visible difference → expected noticeability (0 to 4), mean over objects:\n\n";
+  text += fmt::format("Visible difference → {}, mean over objects:\n\n",
+                      prediction.task.facts.rates ? "expected noticeability (0 to 4)"
+                                                  : "share of people who see it (0 to 1)");
   text += markdown_table(cell_table(prediction)) + "\n";
   text += fmt::format("Most to least demanding: {}{}.\n", joined(demanding_order(prediction.artifacts)),
-                      of_depth_widths(prediction.axis) ? std::string("; in the paper: ") + paper_order : "");
+                      of_depth_widths(prediction.axis) && prediction.task.asks_as_paper()
+                          ? std::string("; in the paper: ") + paper_order
+                          : "");
   for (const std::string& said : sentences(prediction.depth_errors)) text += said + "\n";
   text += fmt::format(
       "FLIP at {:g} pixels per degree, pooled with exponent {:g}; gain {:.6g} (seen half of the time: "

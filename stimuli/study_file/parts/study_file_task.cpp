@@ -251,20 +251,6 @@ void check_task_alone(const TomlTable& study, const StudyDefinition& definition)
   if (turns) throw study.complaint("look", "whole pictures beside a [task]", "a table [look]");
 }
 
-void require_papers_task(const StudyDefinition& study, const std::string& command) {
-  const TaskFacts facts = facts_of(study.task.get());
-  const bool repeats = study.task && study.task->repetitions > 1;
-  const bool stairs = study.task && study.task->staircase;
-  if (facts.kind == TaskKind::object && facts.rates && !repeats && !stairs) return;
-  throw input_error({.file = study.file.string(),
-                     .field = "task",
-                     .wanted = "no [task] (`" + command +
-                               "` simulates one choice among three objects a stimulus, with a rating)",
-                     .found = "kind = \"" + std::string(word(facts.kind)) + "\"" +
-                              (repeats ? fmt::format(", repetitions = {}", study.task->repetitions) : "") +
-                              (stairs ? ", procedure = \"staircase\"" : "")});
-}
-
 std::shared_ptr<const TaskDefinition> read_task_text(const std::string& text,
                                                      const std::filesystem::path& said_to_be) {
   return read_task_of(TomlTable::parse(text, said_to_be));

@@ -25,8 +25,4 @@ void check_task_alone(const TomlTable& study, const StudyDefinition& definition)
 [[nodiscard]] std::shared_ptr<const TaskDefinition> read_task_text(const std::string& text,
                                                                    const std::filesystem::path& said_to_be);
 
-/// Throws InputError where a study names a task that a command cannot simulate: it asks for a choice among
-/// three objects, and then for a rating.
-void require_papers_task(const StudyDefinition& study, const std::string& command);
-
 }  // namespace seamline::inline stimuli
