@@ -54,6 +54,7 @@ const std::map<std::string, std::string> hashes = {
 const std::map<std::string, std::string> later_hashes = {
     {"stimuli/budgeted_depth.toml", "ebef589f3fcccd0b371ba493dbfc160cb0442d332335369aef240e67daa831c9"},
     {"stimuli/estimated_depth.toml", "9cdc1f160ed37e35d9ecdf711f2cf96095434141310830b333caaf8de228a5b7"},
+    {"stimuli/interval.toml", "ddbd488077ff7852c8a39d748f2585a990de049c95e8d5e94e1e0ee81bdd9538"},
     {"stimuli/late_depth.toml", "0455c8fd8e261395596007a33ea40b9232cead752653207a0fc411acb96ba7bc"},
     {"stimuli/moving_objects.toml", "9f74862e368a386fdfbfb81dbaff29450b5574056bfb7b045f253a14e3ad222a"},
     {"stimuli/pair.toml", "038727b16095894d418fc454c1f754a73b0b084ecae2db27914a150c0732c34a"},
