@@ -1,14 +1,15 @@
-// Pairs, intervals, yes or no, ratings and matches in a real browser: one sitting each, by keys, at `serve`. Sets of these tasks lie
-// in WORK/KIND-set. What the page sent must be what the log holds. Screenshots go to WORK/shots.
+// Pairs, intervals, yes or no, ratings, matches and a staircase in a real browser: one sitting each, by keys, at `serve`. Sets of
+// these tasks lie in WORK/KIND-set. What the page sent must be what the log holds. Screenshots go to WORK/shots.
 import assert from "node:assert/strict";
 import { execFileSync, spawn } from "node:child_process";
 import { mkdirSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { actUntil, axeSource, openBrowser } from "./person.mjs";
+import { actUntil, axeSource, inFirefox, openBrowser } from "./person.mjs";
 
 const work = process.env.SEAMLINE_ONLINE_WORK;
 const program = process.env.SEAMLINE_PROGRAM;
 const shots = join(work, "shots");
+const shotOf = (name) => join(shots, "task-" + (inFirefox ? "firefox-" : "") + name + ".png");
 mkdirSync(shots, { recursive: true });
 
 async function served(page, set, log) {
@@ -54,7 +55,7 @@ for (const [kind, alternatives] of Object.entries(ALTERNATIVES)) {
         if (looked || seen.screen !== "trial" || !seen.asks) return;
         looked = true;
         await page.waitForTimeout(200);
-        writeFileSync(join(shots, "task-" + kind + ".png"), await page.screenshot());
+        writeFileSync(shotOf(kind), await page.screenshot());
         await page.evaluate(axeSource);
         const { violations } = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ["violations"] }));
         assert.deepEqual(violations.map(({ id }) => id), [], kind);
@@ -125,7 +126,7 @@ for (const [kind, alternatives] of Object.entries(ALTERNATIVES)) {
         }
         wanted.set(at, { level: levels[rung], start: levels[seen.trial.start], steps: steps.length });
         if (at === 3) {
-          writeFileSync(join(shots, "task-match.png"), await page.screenshot());
+          writeFileSync(shotOf("match"), await page.screenshot());
           await page.evaluate(axeSource);
           const { violations } = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ["violations"] }));
           assert.deepEqual(violations.map(({ id }) => id), [], "match");
@@ -149,4 +150,62 @@ for (const [kind, alternatives] of Object.entries(ALTERNATIVES)) {
   assert.equal(rows.length, 6, "match: three objects twice");
   execFileSync(program, ["analyze", log, "--out", join(folder, "report"), "--include-pilot"]);
   console.log("match: " + rows.length + " matches are in the log as they were made");
+}
+
+// A staircase, 1 down and 2 up, loaded anew on the way, of a person who guesses. The levels in the log are those of the rule,
+// followed here once more by what was right.
+{
+  const levels = [64, 128, 256, 512];
+  const folder = mkdtempSync(join(work, "staircase-"));
+  const log = join(folder, "log.sqlite");
+  execFileSync(program, ["export", "web", join(work, "staircase-set"), join(folder, "page"), "--serve"]);
+  const server = await served(join(folder, "page"), join(work, "staircase-set"), log);
+  const browser = await openBrowser(mkdtempSync(join(work, "browser-")), { width: 1280, height: 900 });
+  let reloaded = false;
+  try {
+    const page = browser.pages()[0];
+    page.on("pageerror", (error) => assert.fail("staircase: " + error));
+    page.on("dialog", (dialog) => dialog.accept());
+    await page.goto(server.address);
+    await actUntil(page, ["thanks"], {
+      patience_ms: 120000,
+      strict: false, // a look may fall into the loading
+      each: async (seen) => {
+        if (reloaded || seen.answered !== 5 || seen.phase !== "rating") return;
+        reloaded = true;
+        writeFileSync(shotOf("staircase"), await page.screenshot());
+        await page.reload();
+      },
+      answer: (seen) => ({ choice: 1 + ((seen.answered * 7 + 3) % 3), rating: 2 }),
+    });
+  } finally {
+    await browser.close();
+    await server.stop();
+  }
+  assert.ok(reloaded, "staircase: was not loaded anew");
+  execFileSync(program, ["export", "tables", log, join(folder, "csv")]);
+  const [head, ...rows] = readFileSync(join(folder, "csv", "answers.csv"), "utf8").trim().split("\n").map((line) => line.split(","));
+  const value = (row, name) => Number(row[head.indexOf(name)]);
+  rows.sort((a, b) => value(a, "trial_index") - value(b, "trial_index"));
+  let [rung, wrongs, heading] = [0, 0, 0];
+  const turns = [];
+  for (const row of rows) {
+    assert.ok(turns.length < 6, "staircase: it goes on after six reversals");
+    assert.equal(value(row, "level"), levels[rung], "staircase: level of trial " + row[head.indexOf("trial_index")]);
+    const right = value(row, "chosen_index") === value(row, "object_index");
+    assert.equal(value(row, "chosen_index"), 1 + ((value(row, "trial_index") * 7 + 3) % 3), "staircase: answer");
+    wrongs = right ? 0 : wrongs + 1;
+    const step = right ? 1 : wrongs === 2 ? -1 : 0;
+    if (step === 0) continue;
+    wrongs = 0;
+    if (heading === -step) turns.push(Math.log2(levels[rung]));
+    heading = step;
+    rung = Math.min(levels.length - 1, Math.max(0, rung + step));
+  }
+  assert.equal(turns.length, 6, "staircase: reversals");
+  const mean_px = Math.round(2 ** (turns.slice(2).reduce((sum, x) => sum + x, 0) / 4));
+  const tracks = execFileSync(program, ["log", "tracks", log], { encoding: "utf8" });
+  assert.ok(tracks.includes(String(mean_px)), "staircase: mean of the reversals, " + mean_px + ": " + tracks);
+  execFileSync(program, ["analyze", log, "--out", join(folder, "report"), "--include-pilot"]);
+  console.log("staircase: " + rows.length + " answers follow 1 down, 2 up; six reversals, mean " + mean_px + " px");
 }
