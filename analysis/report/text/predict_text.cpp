@@ -117,8 +117,9 @@ std::string gain_text(const Prediction& prediction) {
       return "The gain was fixed so that the receiver's PT is the paper's: that number is no prediction.\n";
     case GainSource::detection:
       return "The gain rests on the eyes of ModelFest's 16 people, who looked for known patterns on a uniform "
-             "field\n(`seamline observe` shows how well). People who search a picture without its reference "
-             "see less:\nthe levels above are where a difference can be seen at all, not where a study "
+             "field\n(`seamline observe` shows how well). People who search a picture" +
+             std::string(prediction.task.facts.draws_right ? "" : " without its reference") +
+             " see less:\nthe levels above are where a difference can be seen at all, not where a study "
              "finds it.\n";
   }
   return {};
