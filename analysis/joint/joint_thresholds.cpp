@@ -21,6 +21,9 @@ struct RoughPlace {
 /// The form of the curve is assumed, and no number of people tells how wrong it is: the logarithm of the
 /// scale at a level counts as known with this standard error (documentation/explanation/joint_model.md).
 constexpr double form_error = 0.05;
+/// Seeing falls from 0.96 to 0.04 over so many scales. Where two levels lie farther apart, each unit of the
+/// axis more counts as this standard error of the threshold between them (`place_error_of`).
+constexpr double widest_gap_scales = 3.5, place_error = 0.15;
 
 double standard_error_of(const Eigen::VectorXd& gradient, const JointJackknife& left_out) {
   return std::sqrt(std::max(0.0, gradient.dot(left_out.covariance * gradient)));
@@ -96,15 +99,38 @@ double first_outside(double from, double to, const Inside& inside) {
   return to > from ? infinity : -infinity;
 }
 
-/// `level_pivot`, with the floor that is the same at every level.
-double pivot_above(const MeanAtX& floor, const JointFit& fit, const JointJackknife& left_out, int curve,
-                   const SoughtMean& sought, double x) {
+/// The distance between the two levels of a curve that its threshold m lies between; 0 outside of them.
+double gap_around(const JointModel& model, int curve, double m) {
+  double below = -infinity, above = infinity;
+  for (const JointCell& cell : model.cells) {
+    if (cell.curve != curve || !std::isfinite(cell.x)) continue;
+    if (cell.x <= m) below = std::max(below, cell.x);
+    if (cell.x >= m) above = std::min(above, cell.x);
+  }
+  return std::isfinite(above - below) ? above - below : 0;
+}
+
+/// What is the same at every level of a curve.
+struct PivotCurve {
+  MeanAtX floor;
+  double place_error = 0;  ///< `place_error_of`
+};
+
+PivotCurve pivot_curve(const JointFit& fit, int curve, JointMean mean) {
+  return {.floor = floor_at(fit.model, fit.theta, curve, mean), .place_error = place_error_of(fit, curve)};
+}
+
+/// `level_pivot` at a level of the curve.
+double pivot_at(const PivotCurve& same, const JointFit& fit, const JointJackknife& left_out, int curve,
+                const SoughtMean& sought, double x) {
+  const MeanAtX& floor = same.floor;
   const MeanAtX at = mean_at_x(fit.model, fit.theta, curve, sought.mean, x);
   const double above = at.value - floor.value, wanted = sought.level - floor.value;
   if (!(above > 0) || !(wanted > 0)) return 0;
   const Eigen::VectorXd gradient = (at.gradient - floor.gradient) / above + floor.gradient / wanted;
   const double of_form = form_error * gradient[fit.model.log_scale(curve)];
-  return std::log(above / wanted) / std::hypot(standard_error_of(gradient, left_out), of_form);
+  const double of_place = same.place_error * gradient[fit.model.threshold(curve)];
+  return std::log(above / wanted) / std::hypot(standard_error_of(gradient, left_out), of_form, of_place);
 }
 
 LevelInterval interval_of(const JointFit& fit, const JointJackknife& left_out, int curve,
@@ -112,10 +138,11 @@ LevelInterval interval_of(const JointFit& fit, const JointJackknife& left_out, i
                           const LevelInterval& range) {
   const double x = rough.place->x;
   const std::optional<SoughtMean> sought = sought_mean(quantity);
-  if (!sought) return interval_within(x, t * rough.standard_error, range);
-  const MeanAtX floor = floor_at(fit.model, fit.theta, curve, sought->mean);
+  if (!sought)
+    return interval_within(x, t * std::hypot(rough.standard_error, place_error_of(fit, curve)), range);
+  const PivotCurve same = pivot_curve(fit, curve, sought->mean);
   const auto inside = [&](double at) {
-    return std::abs(pivot_above(floor, fit, left_out, curve, *sought, at)) <= t;
+    return std::abs(pivot_at(same, fit, left_out, curve, *sought, at)) <= t;
   };
   LevelInterval interval;
   if (x > range.low_x) interval.low_x = first_outside(x, range.low_x, inside);
@@ -182,10 +209,14 @@ double pointwise_t(const JointFit& fit) {
 
 }  // namespace
 
+double place_error_of(const JointFit& fit, int curve) {
+  const JointCurve at = curve_at(fit.model, fit.theta, curve);
+  return place_error * std::max(0.0, gap_around(fit.model, curve, at.m) - widest_gap_scales * at.s);
+}
+
 double level_pivot(const JointFit& fit, const JointJackknife& left_out, int curve, const SoughtMean& sought,
                    double x) {
-  const MeanAtX floor = floor_at(fit.model, fit.theta, curve, sought.mean);
-  return pivot_above(floor, fit, left_out, curve, sought, x);
+  return pivot_at(pivot_curve(fit, curve, sought.mean), fit, left_out, curve, sought, x);
 }
 
 JointThreshold joint_threshold(const JointFit& fit, const JointData& data, const JointJackknife& left_out,

@@ -32,6 +32,12 @@ struct JointThreshold {
 [[nodiscard]] double level_pivot(const JointFit& fit, const JointJackknife& left_out, int curve,
                                  const SoughtMean& sought, double x);
 
+/// The standard error that thresholds of a curve have from the form of the curve alone, units of the axis.
+/// Where no level lies on the slope nothing but the form places the curve, and people with another form lie
+/// elsewhere between the two levels, however many they are (documentation/evidence/coverage.md). 0 where the
+/// levels around the threshold lie closely enough. Intervals hold it.
+[[nodiscard]] double place_error_of(const JointFit& fit, int curve);
+
 /// Every quantity of every curve: quantities run fastest. IP: estimate -+ t standard errors. A threshold has
 /// no number, but a reason,
 ///

@@ -85,10 +85,6 @@ std::vector<HeadlineRow> rows_of_curve(const Analysis& analysis, int curve,
   return rows;
 }
 
-/// Neighbouring levels farther apart than this many scales leave the threshold between them to the form of
-/// the curve: seeing falls from 0.98 to 0.02 there (documentation/evidence/coverage.md).
-constexpr double widest_gap_scales = 4;
-
 /// A curve that falls between two tested levels; empty where the levels lie closely enough.
 std::string note_on_gap(const Analysis& analysis, int curve) {
   const JointFit& fit = analysis.joint->fit;
@@ -96,14 +92,15 @@ std::string note_on_gap(const Analysis& analysis, int curve) {
   const ArtifactScores& scores = analysis.data.artifacts[static_cast<std::size_t>(curve)];
   const JointCurve at = curve_at(fit.model, fit.theta, curve);
   const auto [low, high] = neighbours_of(levels_on_axis(scores), at.m);
-  if (high - low <= widest_gap_scales * at.s) return "";
+  const double error = place_error_of(fit, curve);
+  if (!(error > 0)) return "";
   return fmt::format(
       "Seeing '{}'{} falls between the tested {}s {} and {}, so that nothing but the model's form places its "
-      "thresholds: in simulated studies of this kind 83 to 89 % of the 95 % intervals held the truth. Test "
-      "{}s between the two.",
+      "thresholds. Their intervals count a standard error of {:.2f} {} for that. Test {}s between the two.",
       word(scores.artifact), in_condition(scores.condition), level_word(scores.axis),
       estimated_text(scores.axis, level_at(scores.axis, low)),
-      estimated_text(scores.axis, level_at(scores.axis, high)), level_word(scores.axis));
+      estimated_text(scores.axis, level_at(scores.axis, high)), std::abs(difference_at(scores.axis, error)),
+      length_unit(scores.axis), level_word(scores.axis));
 }
 
 }  // namespace

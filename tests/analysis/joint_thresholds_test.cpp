@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "analysis/joint/joint_contrasts.h"
 #include "analysis/joint/joint_goodness.h"
 #include "analysis/joint/joint_sharing.h"
@@ -110,6 +112,24 @@ TEST(JointThresholds, ALevelInTheFloorOfGuessesHasNoNumber) {
     EXPECT_FALSE(row.here.level_x);
     EXPECT_EQ(row.here.reason, "not identified: the level lies in the guess floor");
   }
+}
+
+TEST(JointThresholds, LevelsFarApartCountAnErrorOfTheForm) {
+  Fitted all = fitted({.people_sd = 0.5}, 4);
+  EXPECT_EQ(place_error_of(all.fit, 2), 0.0);
+  const auto length = [&] {
+    const LevelInterval ci95 =
+        joint_threshold(all.fit, all.data, all.left_out, 2, JointQuantity::detection).here.ci95;
+    return ci95.high_x - ci95.low_x;
+  };
+  const double before = length();
+  // The same fit, had only the levels on both sides of its slope been asked.
+  const double m = curve_at(all.fit.model, all.fit.theta, 2).m,
+               s = curve_at(all.fit.model, all.fit.theta, 2).s;
+  for (JointCell& cell : all.fit.model.cells)
+    if (cell.curve == 2 && std::abs(cell.x - m) < 3 * s) cell.x = m - 3 * s + (cell.x > m ? 6 * s : 0);
+  EXPECT_NEAR(place_error_of(all.fit, 2), 0.15 * 2.5 * s, 1e-12);
+  EXPECT_GT(length(), before);
 }
 
 TEST(JointThresholds, WithoutNumbersEachHasAReason) {
