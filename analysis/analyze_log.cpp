@@ -17,13 +17,17 @@
 #include "analysis/report/page/report_html.h"
 #include "analysis/report/tables/all_tables.h"
 #include "analysis/report/tables/dictionary.h"
+#include "analysis/report/tables/late_tables.h"
+#include "analysis/report/tables/late_text.h"
 #include "analysis/report/tables/looking_tables.h"
 #include "analysis/report/tables/preregistration_table.h"
+#include "analysis/report/tables/still_tables.h"
 #include "analysis/report/text/checks_text.h"
 #include "analysis/report/text/depth_error_notes.h"
 #include "analysis/report/text/numbers_text.h"
 #include "analysis/report/text/scenes_text.h"
 #include "analysis/report/text/threshold_text.h"
+#include "analysis/screening/late_marks.h"
 #include "stimuli/definition/methods/analysis_definition.h"
 #include "stimuli/definition/parts/task_definition.h"
 #include "support/files/atomic_file.h"
@@ -99,6 +103,42 @@ AnalysisSummary analyze_match_log(study::LogContents log, const AnalysisRequest&
           .report_html = write_match_report(analysis, request.report_folder)};
 }
 
+/// The log as it is analysed, and the other one of with and without the marked trials.
+struct LogsBeside {
+  std::optional<LateMarks> marks;          ///< none where no frames were counted
+  std::optional<study::LogContents> rest;  ///< of clips: the log without the marked trials; none: none marked
+  [[nodiscard]] bool leaves_out() const { return rest && marks->rule.trials == LateTrials::left_out; }
+};
+
+LogsBeside set_marked_aside(const study::LogContents& log) {
+  LogsBeside logs{.marks = late_marks(log), .rest = {}};
+  if (logs.marks && logs.marks->any()) logs.rest = without_marked(log, *logs.marks);
+  return logs;
+}
+
+/// The analysis of the other log is for its thresholds alone, so it takes few replicates.
+LateReport report_on_late(const study::LogContents& log, const Analysis& analysis, const LogsBeside& logs,
+                          const AnalysisOptions& options) {
+  LateReport late{.rule = logs.marks->rule, .rows = late_rows(log, analysis, *logs.marks)};
+  if (!logs.rest) return late;
+  if (analysis.adaptive) {
+    late.not_compared = "The next level was placed by every answer, so there are no thresholds without them.";
+    return late;
+  }
+  constexpr int few_replicates = 1000;
+  ResamplingRequest resampling = analysis.resampling;
+  resampling.replicates = std::min(resampling.replicates, few_replicates);
+  try {
+    const Analysis other =
+        analyze(logs.leaves_out() ? log : *logs.rest, analysis.include_pilot, resampling, options);
+    late.thresholds =
+        logs.leaves_out() ? thresholds_beside(other, analysis) : thresholds_beside(analysis, other);
+  } catch (const InputError&) {
+    late.not_compared = "No answers are left without them.";
+  }
+  return late;
+}
+
 }  // namespace
 
 AnalysisSummary analyze_log(const AnalysisRequest& request) {
@@ -123,8 +163,9 @@ AnalysisSummary analyze_log(const AnalysisRequest& request) {
   study::LogContents log = study::read_log(request.log);
   if (facts_of(log.task.get()).adjusts()) return analyze_match_log(std::move(log), request);
   options.displays = study::read_displays(request.log);
+  const LogsBeside logs = set_marked_aside(log);
   Analysis analysis =
-      analyze(std::move(log), request.include_pilot,
+      analyze(logs.leaves_out() ? *logs.rest : log, request.include_pilot,
               {.replicates = request.bootstrap_replicates, .seed = request.seed, .threads = request.threads},
               options);
 
@@ -136,6 +177,13 @@ AnalysisSummary analyze_log(const AnalysisRequest& request) {
   if (archive) compare_with_archive(analysis, *archive);
   for (std::string& note : notes_on_depth(analysis.log)) analysis.notes.push_back(std::move(note));
   for (std::string& note : thresholds_as_depth_errors(analysis)) analysis.notes.push_back(std::move(note));
+  std::optional<LateReport> late;
+  if (logs.marks) {
+    late = report_on_late(log, analysis, logs, options);
+    analysis.notes.push_back(late_sentence(*late));
+  }
+  const std::vector<ClipAgainstStill> against_stills = clips_against_stills(analysis);
+  for (std::string& note : sentences_of(analysis, against_stills)) analysis.notes.push_back(std::move(note));
   if (request.no_seam_at)
     for (std::string& note : no_seam_sentences(analysis, *request.no_seam_at, *request.no_seam_margin))
       analysis.notes.push_back(std::move(note));
@@ -151,16 +199,19 @@ AnalysisSummary analyze_log(const AnalysisRequest& request) {
       looking_rows(analysis, study::measured_looks(analysis.log, study::read_looks(analysis.log)));
   std::vector<CsvTable> tables = all_tables(analysis, numbers);
   if (!looking.empty()) tables.push_back(looking_table(analysis, looking));
+  if (!against_stills.empty()) tables.push_back(still_table(analysis, against_stills));
+  if (late)
+    for (CsvTable& table : late_tables(analysis, *late)) tables.push_back(std::move(table));
   const auto write = [&](const std::string& name, const std::string& text) {
     write_file_atomically(folder / name, text, Readers::owner);  // it is what people answered
   };
   for (const CsvTable& table : tables) write(table.name + ".csv", csv_text(table));
   write("data_dictionary.csv", csv_text(report_dictionary(tables, numbers.axis, numbers.conditions)));
   write("thresholds.json", thresholds_json(analysis, numbers.over_scenes));
-  const MethodsText methods = methods_text(analysis, numbers);
+  const MethodsText methods = methods_text(analysis, numbers, late ? late_method(*late) : "");
   write("report.json", report_json(analysis, methods, tables));
   write("methods.txt", plain_text(methods));
-  write("report.html", report_html(analysis, numbers, figures, samples, looking));
+  write("report.html", report_html(analysis, numbers, figures, samples, looking, late));
   std::vector<std::string> notes = analysis.notes;
   for (const std::string& note : notes_on(samples)) notes.push_back(note);
   return {.frozen = frozen_text(analysis),

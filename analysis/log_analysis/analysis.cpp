@@ -12,6 +12,7 @@
 #include "analysis/screening/catch_answers.h"
 #include "analysis/thresholds/planted_noticeability.h"
 #include "stimuli/set/set_study.h"
+#include "stimuli/study_file/moving/study_file_late_frames.h"
 #include "stimuli/study_file/study_file.h"
 #include "study/observers/observer.h"
 #include "support/files/assets.h"
@@ -224,6 +225,8 @@ void compare_with_archive(Analysis& analysis, const Archive& archive) {
                     .excluded = {}};
   for (const std::string& sentence : sentences_of(asked_of(analysis)))
     done.analysis.rules.push_back(sentence);
+  const auto late = read_late_frames_text(analysis.log.study_text, analysis.log.file);
+  if (late && *late != LateFrames{}) done.analysis.rules.push_back(sentence_of(*late));
   if (analysis.replication) {
     std::vector<PublishedThreshold> published;
     for (const ReplicatedThreshold& one : analysis.replication->thresholds)

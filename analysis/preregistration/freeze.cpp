@@ -6,6 +6,7 @@
 #include "analysis/thresholds/threshold_rules.h"
 #include "stimuli/set/manifest.h"
 #include "stimuli/set/set_study.h"
+#include "stimuli/study_file/moving/study_file_late_frames.h"
 #include "stimuli/study_file/study_file.h"
 #include "support/files/assets.h"
 #include "support/files/atomic_file.h"
@@ -80,6 +81,8 @@ Preregistration freeze_study(const std::filesystem::path& study_file,
   content.analysis.rules = rules_of_analysis();
   const AnalysisDefinition asked = read_analysis_text(content.study_text, study_file);
   for (const std::string& sentence : sentences_of(asked)) content.analysis.rules.push_back(sentence);
+  const auto late = read_late_frames_text(content.study_text, study_file);
+  if (late && *late != LateFrames{}) content.analysis.rules.push_back(sentence_of(*late));
   if (content.analysis.compare.empty()) content.analysis.compare = asked.compare;
   for (const std::filesystem::path& folder : sets) {
     const FrozenSet set = frozen_set(folder, study);

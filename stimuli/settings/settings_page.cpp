@@ -4,6 +4,7 @@
 #include <sstream>
 #include <utility>
 
+#include "stimuli/settings/analysis_settings.h"
 #include "stimuli/settings/depth_settings.h"
 #include "stimuli/settings/mitigation_settings.h"
 #include "stimuli/settings/pipeline_settings.h"
@@ -164,6 +165,7 @@ std::string table_named(const std::string& name) {
   if (name == "session") return table_of<SessionDefinition>();
   if (name == "catch") return table_of<CatchDefinition>();
   if (name == "consent") return table_of<ConsentDefinition>();
+  if (name == "analysis.clip") return table_of<LateFrames>();
   if (name == "training") return table_of<TrainingDefinition>();
   throw input_error(
       {.field = "<!-- settings " + name + " -->", .wanted = "the name of a table", .found = name});

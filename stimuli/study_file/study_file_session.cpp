@@ -4,6 +4,7 @@
 
 #include "stimuli/settings/read_settings.h"
 #include "stimuli/settings/session_settings.h"
+#include "stimuli/study_file/moving/study_file_late_frames.h"
 #include "stimuli/study_file/people/study_file_language.h"
 #include "stimuli/study_file/study_file_words.h"
 
@@ -56,6 +57,7 @@ AnalysisDefinition read_analysis(const TomlTable& analysis) {
     }
   }
   if (analysis.has("compare")) read.compare = analysis.texts("compare");
+  static_cast<void>(read_late_frames(analysis));
   analysis.finish();
   return read;
 }

@@ -350,11 +350,12 @@ constexpr const char* paragraph_on_planted =
 
 }  // namespace
 
-MethodsText methods_text(const Analysis& analysis, const ReportNumbers& numbers) {
+MethodsText methods_text(const Analysis& analysis, const ReportNumbers& numbers, const std::string& clips) {
   MethodsText methods;
   std::vector<std::string>& paragraphs = methods.paragraphs;
   const LevelWords words = level_words(analysis.data.axis);
   paragraphs = {people_text(analysis), procedure(analysis)};
+  if (!clips.empty()) paragraphs.push_back(clips);
   if (analysis.adaptive) {
     for (std::string& paragraph : adaptive_methods(analysis)) paragraphs.push_back(std::move(paragraph));
   } else {

@@ -13,8 +13,9 @@ struct MethodsText {
 };
 
 /// Says what was done with this log and nothing else: methods that an adaptive log or a single participant
-/// rules out are left out.
-[[nodiscard]] MethodsText methods_text(const Analysis& analysis, const ReportNumbers& numbers);
+/// rules out are left out. `clips`: a paragraph on how clips were shown; empty: the stimuli are stills.
+[[nodiscard]] MethodsText methods_text(const Analysis& analysis, const ReportNumbers& numbers,
+                                       const std::string& clips = {});
 
 /// `REPORT/methods.txt`: paragraphs, then references, separated by blank lines.
 [[nodiscard]] std::string plain_text(const MethodsText& methods);

@@ -21,6 +21,7 @@
 #include "analysis/report/page/replication_section.h"
 #include "analysis/report/page/samples_section.h"
 #include "analysis/report/page/thresholds_section.h"
+#include "analysis/report/tables/late_text.h"
 #include "analysis/report/text/threshold_text.h"
 #include "analysis/scores/level_words.h"
 #include "support/files/assets.h"
@@ -108,8 +109,9 @@ std::string noticeability_section(const Analysis& analysis, const std::vector<Fi
          figure_html(figures, "participants");
 }
 
-std::string methods_section(const Analysis& analysis, const ReportNumbers& numbers) {
-  const MethodsText methods = methods_text(analysis, numbers);
+std::string methods_section(const Analysis& analysis, const ReportNumbers& numbers,
+                            const std::optional<LateReport>& late) {
+  const MethodsText methods = methods_text(analysis, numbers, late ? late_method(*late) : "");
   std::string html =
       "<h2 id=\"methods\">Methods</h2>\n<p class=\"soft\">Text for a paper; also in "
       "<code>methods.txt</code>.</p>\n<div class=\"quote\">\n";
@@ -152,6 +154,29 @@ std::string looking_html(const std::vector<LookingRow>& rows) {
                     lines);
 }
 
+std::string late_html(const std::optional<LateReport>& late) {
+  if (!late) return "";
+  std::vector<std::vector<std::string>> curves, thresholds;
+  for (const LateRow& row : late->rows)
+    curves.push_back({artifact_title(row.artifact, row.condition), fmt::format("{}", row.answers),
+                      fmt::format("{}", row.marked), fmt::format("{}", row.due), fmt::format("{}", row.late),
+                      fmt::format("{}", row.dropped)});
+  for (const LateThreshold& one : late->thresholds)
+    thresholds.push_back({artifact_title(one.artifact, one.condition), one.quantity,
+                          estimate_text(one.with, one.tested), estimate_text(one.without, one.tested)});
+  std::string html = "<h2 id=\"late\">Frames that came late</h2>\n" + html_paragraph(late_sentence(*late)) +
+                     html_table({{"artifact"},
+                                 {"trials", true},
+                                 {"marked", true},
+                                 {"frames due", true},
+                                 {"late", true},
+                                 {"dropped", true}},
+                                curves);
+  if (!thresholds.empty())
+    html += html_table({{"artifact"}, {""}, {"with marked trials", true}, {"without", true}}, thresholds);
+  return html;
+}
+
 constexpr const char* contents =
     "<nav><a href=\"#thresholds\">Thresholds</a> <a href=\"#model\">Model</a> <a "
     "href=\"#noticeability\">Noticeability</a> <a "
@@ -170,7 +195,7 @@ constexpr const char* data_section =
 
 std::string report_html(const Analysis& analysis, const ReportNumbers& numbers,
                         const std::vector<Figure>& figures, const StimulusSamples& samples,
-                        const std::vector<LookingRow>& looking) {
+                        const std::vector<LookingRow>& looking, const std::optional<LateReport>& late) {
   std::string html = fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>Seamline: "
@@ -184,13 +209,13 @@ std::string report_html(const Analysis& analysis, const ReportNumbers& numbers,
     links.replace(links.find(">Noticeability<"), std::string(">Noticeability<").size(), ">" + title + "<");
   html += header(analysis) + links + preregistration_html(analysis) + thresholds_section(analysis) +
           scenes_html(numbers) + replication_html(analysis) + differences_html(analysis) +
-          looking_html(looking) + origins_html(analysis) + joint_model_html(analysis, figures) +
-          noticeability_section(analysis, figures) + psychometric_html(analysis, numbers, figures) +
-          comparisons_html(analysis, numbers) + checks_html(analysis, figures) +
-          order_html(numbers, figures) + times_html(numbers, figures);
+          looking_html(looking) + late_html(late) + origins_html(analysis) +
+          joint_model_html(analysis, figures) + noticeability_section(analysis, figures) +
+          psychometric_html(analysis, numbers, figures) + comparisons_html(analysis, numbers) +
+          checks_html(analysis, figures) + order_html(numbers, figures) + times_html(numbers, figures);
   html += "<h2 id=\"participants\">Participants</h2>\n" + participant_table_html(analysis, numbers);
   html += "<h2 id=\"stimuli\">Stimuli</h2>\n" + samples_html(samples, analysis.data.axis) +
-          methods_section(analysis, numbers) + data_section;
+          methods_section(analysis, numbers, late) + data_section;
   return html + "</body>\n</html>\n";
 }
 

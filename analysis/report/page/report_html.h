@@ -1,10 +1,12 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "analysis/log_analysis/analysis.h"
 #include "analysis/report/figures/figures.h"
 #include "analysis/report/figures/stimulus_samples.h"
+#include "analysis/report/tables/late_tables.h"
 #include "analysis/report/tables/looking_tables.h"
 
 namespace seamline::analysis {
@@ -13,6 +15,7 @@ namespace seamline::analysis {
 /// files and people is escaped. Light and dark by the reader's preference, and a style for print.
 [[nodiscard]] std::string report_html(const Analysis& analysis, const ReportNumbers& numbers,
                                       const std::vector<Figure>& figures, const StimulusSamples& samples,
-                                      const std::vector<LookingRow>& looking = {});
+                                      const std::vector<LookingRow>& looking = {},
+                                      const std::optional<LateReport>& late = {});
 
 }  // namespace seamline::analysis

@@ -1,0 +1,107 @@
+#include "study/exchange/clip_records.h"
+
+#include <charconv>
+#include <map>
+#include <string_view>
+#include <utility>
+
+#include "stimuli/study_file/moving/study_file_late_frames.h"
+#include "study/log/log_database.h"
+#include "study/log/log_values.h"
+#include "support/text/printable.h"
+
+namespace seamline::study {
+namespace {
+
+/// Takes "WORD NUMBER" from the front, and the blank behind it; false where something else stands there.
+bool take_count(std::string_view& text, std::string_view word, int& count) {
+  if (!text.starts_with(word)) return false;
+  text.remove_prefix(word.size());
+  if (!text.starts_with(' ')) return false;
+  text.remove_prefix(1);
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+  if (error != std::errc() || count < 0) return false;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  if (text.starts_with(' ')) text.remove_prefix(1);
+  return true;
+}
+
+/// By participant and trial; of a trial that was shown twice in one session, as it was shown last.
+using CountsOfTrials = std::map<std::pair<std::string, int>, ClipCounts>;
+
+CountsOfTrials counts_in(SQLite::Database& database, const std::filesystem::path& file) {
+  SQLite::Statement row(database, R"sql(
+      SELECT participants.code, events.trial_index, events.detail
+      FROM events JOIN sessions USING (session) JOIN participants USING (participant)
+      JOIN answers ON answers.session = events.session AND answers.trial_index = events.trial_index
+      WHERE events.kind = 'clip' AND events.detail NOT LIKE 'practice %' ORDER BY events.event)sql");
+  const LogValues values(row, file, "events");
+  CountsOfTrials counts;
+  while (row.executeStep()) {
+    const std::string text = row.getColumn(2).getString();
+    const std::optional<ClipCounts> read = clip_counts_of(text);
+    if (!read)
+      throw input_error({.file = file.string(),
+                         .field = "events.detail",
+                         .wanted = "counts as \"shown 48 late 0 dropped 0\" in an event \"clip\"",
+                         .found = "\"" + printable(text, 40) + "\""});
+    counts[{values.code(0), values.number(1, 0)}] = *read;
+  }
+  return counts;
+}
+
+}  // namespace
+
+double ClipCounts::late_share() const {
+  const double due = static_cast<double>(shown) + dropped;
+  return due > 0 ? (static_cast<double>(late) + dropped) / due : 0;
+}
+
+std::optional<ClipCounts> clip_counts_of(const std::string& detail) {
+  std::string_view text = detail;
+  ClipCounts counts;
+  const bool is_whole = take_count(text, "shown", counts.shown) && take_count(text, "late", counts.late) &&
+                        take_count(text, "dropped", counts.dropped) && text.empty();
+  if (!is_whole || counts.late > counts.shown) return std::nullopt;
+  return counts;
+}
+
+std::vector<std::optional<ClipCounts>> read_clip_counts(const LogContents& log) {
+  if (log.study_text.find("clip") == std::string::npos) return {};
+  if (!read_late_frames_text(log.study_text, log.file)) return {};
+  const CountsOfTrials counts = with_log_errors(log.file, [&] {
+    SQLite::Database database = open_log_database(log.file, LogAccess::read);
+    return counts_in(database, log.file);
+  });
+  std::vector<std::optional<ClipCounts>> of_answers;
+  of_answers.reserve(log.answers.size());
+  for (const Answer& answer : log.answers) {
+    const auto found = counts.find({answer.participant, answer.trial_index});
+    of_answers.push_back(found == counts.end() ? std::nullopt : std::optional(found->second));
+  }
+  return of_answers;
+}
+
+void add_clip_columns(const LogContents& log, CsvTable& answers) {
+  const std::vector<std::optional<ClipCounts>> counts = read_clip_counts(log);
+  if (counts.empty()) return;
+  const double most = read_late_frames_text(log.study_text, log.file).value_or(LateFrames{}).most_share;
+  answers.columns.insert(
+      answers.columns.end(),
+      {{"frames_shown", "frames",
+        "of the clip that stood on the screen until the rating; empty: not counted"},
+       {"frames_late", "frames", "of these, those that came more than two refreshes after their time"},
+       {"frames_dropped", "frames", "that never stood there, because the next one's time had come"},
+       {"late_share", "share 0 to 1", "late and dropped frames, of those that were due"},
+       {"marked", "", "1 where that is more than late_frames_most of the study's [analysis]"}});
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    std::vector<CsvValue>& row = answers.rows[i];
+    if (const std::optional<ClipCounts>& one = counts[i])
+      row.insert(row.end(), {std::int64_t{one->shown}, std::int64_t{one->late}, std::int64_t{one->dropped},
+                             one->late_share(), std::int64_t{one->late_share() > most ? 1 : 0}});
+    else
+      row.resize(row.size() + 5);
+  }
+}
+
+}  // namespace seamline::study
