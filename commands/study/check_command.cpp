@@ -17,6 +17,7 @@
 #include "renderer/depth/local_scene.h"
 #include "sets/check.h"
 #include "sets/pages/artists_map.h"
+#include "sets/pages/clip_seams.h"
 #include "sets/pages/seams_page.h"
 #include "sets/set_seams.h"
 #include "stimuli/set/level_notes.h"
@@ -109,8 +110,12 @@ void check_set(const CheckOptions& options) {
     return;
   }
   const SetSeams seams = read_set_seams(folder);
-  if (!out.empty()) write_seams_page(out, seams);
-  fmt::print("{}\n\n{}", seams_meaning(seams), markdown_table(seam_cells_table(seams)));
+  const std::vector<ClipSeam> clips = read_clip_seams(folder, seams);
+  if (!out.empty()) write_seams_page(out, seams, clips);
+  fmt::print("{}{}\n\n{}", clips.empty() ? "" : "Middle frames. ", seams_meaning(seams),
+             markdown_table(seam_cells_table(seams)));
+  if (!clips.empty())
+    fmt::print("\n{}\n\n{}", clip_seams_meaning(), markdown_table(clip_cells_table(seams, clips)));
   for (const std::string& said : sentences(holes_of_set(manifest))) fmt::print("\n{}\n", said);
   if (!out.empty())
     fmt::print("\nFigure and tables: {}\n", (std::filesystem::path(out) / "seams.html").string());

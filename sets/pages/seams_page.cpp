@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "sets/pages/clip_seams.h"
 #include "sets/pages/page_frame.h"
 #include "sets/pages/seams_figure.h"
 #include "support/files/atomic_file.h"
@@ -58,16 +59,23 @@ CsvTable stimuli_table(const SetSeams& seams) {
 
 }  // namespace
 
-void write_seams_page(const std::filesystem::path& folder, const SetSeams& seams) {
+void write_seams_page(const std::filesystem::path& folder, const SetSeams& seams,
+                      const std::vector<ClipSeam>& clips) {
   const std::string page =
       html_page("Seams: " + html_escape(seams.study_name),
                 "<p>" + html_escape(seams_meaning(seams)) + "</p>\n" + seams_figure_text(seams) +
-                    "<h2>Means</h2>\n" + html_table(seam_cells_table(seams)) +
+                    (clips.empty() ? std::string()
+                                   : "<h2>Clips</h2>\n<p>" + html_escape(clip_seams_meaning()) + "</p>\n" +
+                                         html_table(clip_cells_table(seams, clips))) +
+                    (clips.empty() ? "<h2>Means</h2>\n" : "<h2>Middle frames</h2>\n") +
+                    html_table(seam_cells_table(seams)) +
                     "<h2>Every stimulus</h2>\n<p class=\"soft\">Areas and bands in px. Noise: standard "
                     "deviation in the noisiest tile of 32 x 32 pixels, in steps of 255; from each "
                     "difference three standard deviations of its own tile are taken off.</p>\n" +
                     html_table(stimuli_table(seams)));
   write_file_atomically(folder / "seams.csv", csv_text(seams_table(seams)));
+  if (!clips.empty())
+    write_file_atomically(folder / "clip_seams.csv", csv_text(clip_seams_table(seams, clips)));
   write_file_atomically(folder / "seams.html", page);
 }
 
