@@ -3,17 +3,23 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <set>
 #include <tuple>
 #include <utility>
+
+#include "support/arithmetic/random.h"
 
 namespace seamline::inline stimuli {
 namespace {
 
 /// In a condition's name before the number of a frame.
 constexpr char frame_mark = '@';
+/// A moment that is meant to be a capture's own may have been rounded to just before it.
+constexpr double same_capture = 1e-6;
 
 /// The condition that a frame's is made of, and the frame's time.
 struct FrameName {
@@ -113,6 +119,18 @@ std::optional<SceneDefinition> captured_scene(const StudyDefinition& frames, con
   if (real_meaning(then, stimulus.object_index) == real_meaning(now, stimulus.object_index))
     return std::nullopt;
   return then;
+}
+
+DepthSettings depth_of_frame(const StudyDefinition& study, const std::string& condition, DepthSettings depth,
+                             double level) {
+  if (!is_of_frames(study) || !depth.chain || !has_noise(*depth.chain)) return depth;
+  const FrameName frame = frame_name(study, condition);
+  const DepthClock clock = clock_of(*study.clip, frame.condition, study.level, level);
+  const double captures_per_s = clock.frames_per_s > 0 ? clock.frames_per_s : study.clip->frames_per_s;
+  const std::int64_t capture =
+      std::llround(std::floor(capture_time_s(clock, frame.time_s) * captures_per_s + same_capture));
+  if (capture != 0) depth.chain->seed = mix_bits(depth.chain->seed + static_cast<std::uint64_t>(capture));
+  return depth;
 }
 
 std::vector<Stimulus> without_twins(const StudyDefinition& frames, std::vector<Stimulus> stimuli) {

@@ -33,6 +33,11 @@ struct Clip {
 [[nodiscard]] std::optional<SceneDefinition> captured_scene(const StudyDefinition& frames,
                                                             const Stimulus& stimulus);
 
+/// The depth settings of a stimulus of a study of frames: a sensor's noise is new in every capture, and held
+/// as long as that is. The first capture has the noise of a still. Those of every other study are as they are.
+[[nodiscard]] DepthSettings depth_of_frame(const StudyDefinition& study, const std::string& condition,
+                                           DepthSettings depth, double level);
+
 /// The scene of a condition of a study of frames: at the frame's time.
 [[nodiscard]] SceneDefinition scene_of_frame(const StudyDefinition& frames, const std::string& condition,
                                              SceneDefinition scene, double level);

@@ -178,18 +178,21 @@ std::vector<Stimulus> list_every_stimulus(const StudyDefinition& study) {
       for (std::size_t object = 0; object < scene.objects.size(); ++object)
         for (const ConditionDefinition& condition : conditions)
           for (std::size_t level = 0; level < study.level.values.size(); ++level)
-            stimuli.push_back({.scene = scene.name,
-                               .artifact = artifact,
-                               .object = scene.objects[object].name,
-                               .object_index = static_cast<int>(object) + 1,
-                               .condition = conditions.size() > 1 ? condition.name : std::string(),
-                               .quantity = study.level.quantity,
-                               .level = study.level.values[level],
-                               .depth = with_named_files(
-                                   depth_at(condition.depth, study.level.quantity, study.level.values[level]),
-                                   scene.name, scene.objects[object].name),
-                               .isolation = condition.isolation,
-                               .truth = truths.name(condition.name, level)});
+            stimuli.push_back(
+                {.scene = scene.name,
+                 .artifact = artifact,
+                 .object = scene.objects[object].name,
+                 .object_index = static_cast<int>(object) + 1,
+                 .condition = conditions.size() > 1 ? condition.name : std::string(),
+                 .quantity = study.level.quantity,
+                 .level = study.level.values[level],
+                 .depth = depth_of_frame(study, condition.name,
+                                         with_named_files(depth_at(condition.depth, study.level.quantity,
+                                                                   study.level.values[level]),
+                                                          scene.name, scene.objects[object].name),
+                                         study.level.values[level]),
+                 .isolation = condition.isolation,
+                 .truth = truths.name(condition.name, level)});
   }
   return stimuli;
 }

@@ -9,6 +9,7 @@
 
 #include "stimuli/definition/clip_frames.h"
 #include "stimuli/set/clip_file.h"
+#include "stimuli/study_file/moving/study_file_late_frames.h"
 #include "stimuli/study_file/study_file.h"
 #include "support/files/atomic_file.h"
 #include "support/text/error.h"
@@ -143,6 +144,31 @@ TEST(Clips, ADelayOfOneFrameIsTheDepthOfTheFrameBefore) {
   EXPECT_EQ(late, 6);
 }
 
+TEST(Clips, NoiseIsNewInEveryCaptureAndHeldAsLongAsThatIs) {
+  const std::string noisy = "[depth]\nnoise = { model = \"generic\", relative_sigma = 0.01 }\n";
+  const auto seeds_of = [&](const std::string& clock) {
+    std::vector<std::set<std::uint64_t>> seeds;
+    for (const Clip& clip :
+         list_clips(read_clips(clip_study("depth_width_px = [64]", "", clip_table + noisy + clock)))) {
+      std::set<std::uint64_t> of_clip;
+      for (const Stimulus& frame : clip.frames) of_clip.insert(frame.depth.chain->seed);
+      EXPECT_EQ(clip.frames.front().depth.chain->seed, clip.shown.depth.chain->seed)
+          << "the first capture has the noise of a still";
+      seeds.push_back(of_clip);
+    }
+    return seeds;
+  };
+  for (const auto& seeds : seeds_of("")) EXPECT_EQ(seeds.size(), 4U);
+  for (const auto& seeds : seeds_of("frames_per_s = 1\n"))
+    EXPECT_EQ(seeds.size(), 2U) << "two frames a capture";
+  for (const auto& seeds : seeds_of("frames_per_s = 0.1\n")) EXPECT_EQ(seeds.size(), 1U);
+  const std::string sun = "[level]\nquantity = \"sun_radius_deg\"\nvalues = [0.5, 1]";
+  const std::string wrong_pose =
+      "[depth]\nsource = \"pinhole\"\npreset = \"tof_160x120\"\ncalibration_error_deg = 1\n";
+  EXPECT_NE(complaint_of_clip(clip_study(sun, line, clip_table + wrong_pose)).find("one seed draws both"),
+            std::string::npos);
+}
+
 TEST(Clips, WhatCannotBeIsRefusedByName) {
   EXPECT_NE(complaint_of_clip(clip_study(widths, line)).find("[clip]"), std::string::npos);
   EXPECT_NE(complaint_of_clip(clip_study(widths, "", clip_table)).find("an object with a path"),
@@ -158,6 +184,23 @@ TEST(Clips, WhatCannotBeIsRefusedByName) {
           clip_study("depth_width_px = 64\n[level]\nquantity = \"depth_frames_per_s\"\nvalues = [1, 2]", ""))
           .find("[clip]"),
       std::string::npos);
+}
+
+TEST(Clips, LateTrialsAreNoPartOfTheHashAndRefusedWhereThereAreNone) {
+  const std::string late = "[analysis]\nlate_frames_most = 0.2\nlate_trials = \"left_out\"\n";
+  const std::string text = clip_study(widths, line, clip_table + late);
+  EXPECT_EQ(study_hash(read_clips(text)), study_hash(read_clips(clip_study(widths, line, clip_table))));
+  EXPECT_EQ(*read_late_frames_text(text, "moving.toml"),
+            (LateFrames{.most_share = 0.2, .trials = LateTrials::left_out}));
+  EXPECT_EQ(*read_late_frames_text(clip_study(widths, line, clip_table), "moving.toml"), LateFrames{});
+  EXPECT_FALSE(read_late_frames_text(clip_study(widths, ""), "moving.toml"));
+  EXPECT_NE(complaint_of_clip(clip_study(widths, "", late)).find("analysis.late_frames_most: wanted nothing"),
+            std::string::npos);
+  const std::string placed = widths + "\nprocedure = \"quest_plus\"";
+  EXPECT_NE(complaint_of_clip(
+                clip_study(placed, line, clip_table + "[quest_plus]\nmax_shows_per_image = 2\n" + late))
+                .find("placed by every answer"),
+            std::string::npos);
 }
 
 TEST(Clips, AFileGivesBackEveryPixelOfEveryFrame) {

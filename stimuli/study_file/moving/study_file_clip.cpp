@@ -70,17 +70,24 @@ struct ClipRefusal {
   std::string wanted, found;
 };
 
-std::optional<ClipRefusal> refusal_of(const ConditionDefinition& condition) {
+/// Whether the sensor may be where it is not believed to be; that is drawn once, by the seed of the noise.
+bool has_calibration_error(const DepthChain& chain, Quantity level) {
+  return chain.calibration_error_deg > 0 || chain.calibration_error_m > 0 ||
+         level == Quantity::calibration_error_deg || level == Quantity::calibration_error_m;
+}
+
+std::optional<ClipRefusal> refusal_of(const ConditionDefinition& condition, Quantity level) {
   if (condition.task) return ClipRefusal{"task", "the task \"object\" in a study with [clip]", "another one"};
   if (condition.look) return ClipRefusal{"look", "one fixed view in a study with [clip]", "[look]"};
   for (const SceneDefinition& scene : condition.scenes)
     if (!scene.view.is_mono())
       return ClipRefusal{"view", "pictures for one eye in a study with [clip]", "another view"};
   if (!condition.depth.chain) return std::nullopt;
-  if (has_noise(*condition.depth.chain))
-    return ClipRefusal{
-        "depth", "depth without noise in a study with [clip]: noise would have to be new in every frame",
-        "a source with noise"};
+  if (has_noise(*condition.depth.chain) && has_calibration_error(*condition.depth.chain, level))
+    return ClipRefusal{"depth",
+                       "noise or an error of calibration in a study with [clip], because one seed draws both "
+                       "and noise is new in every frame",
+                       "both"};
   for (const DepthSource& source : condition.depth.chain->sources)
     if (std::holds_alternative<FileSource>(source) || is_estimated(source))
       return ClipRefusal{
@@ -95,9 +102,18 @@ bool some_line_moves(const ClipDefinition& clip, const std::string& scene) {
   });
 }
 
+/// Whether the noise of a depth camera moves what stands still.
+bool some_depth_boils(const StudyDefinition& study) {
+  const std::vector<ConditionDefinition> conditions = list_conditions(study);
+  return std::any_of(conditions.begin(), conditions.end(), [](const ConditionDefinition& one) {
+    return one.depth.chain && has_noise(*one.depth.chain);
+  });
+}
+
 void check_motions(const TomlTable& table, const StudyDefinition& study) {
   const ClipDefinition& clip = *study.clip;
-  if (clip.motions.empty()) throw table.complaint("clip", "an object with a path in some scene", "none");
+  if (clip.motions.empty() && !some_depth_boils(study))
+    throw table.complaint("clip", "an object with a path in some scene, or depth with noise", "neither");
   for (const SceneDefinition& scene : study.scenes) {
     if (study.level.quantity == Quantity::object_speed_m_s && !some_line_moves(clip, scene.name))
       throw table.complaint("level.quantity", "an object on a line in every scene",
@@ -150,7 +166,8 @@ void check_clip(const TomlTable& table, const StudyDefinition& study) {
     return;
   }
   for (const ConditionDefinition& condition : list_conditions(study))
-    if (const auto why = refusal_of(condition)) throw table.complaint(why->key, why->wanted, why->found);
+    if (const auto why = refusal_of(condition, level))
+      throw table.complaint(why->key, why->wanted, why->found);
   if (study.task) throw table.complaint("task", "the task \"object\" in a study with [clip]", "another one");
   if (study.look) throw table.complaint("look", "one fixed view in a study with [clip]", "[look]");
   if (is_panorama(study))
