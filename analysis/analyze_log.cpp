@@ -18,7 +18,6 @@
 #include "analysis/report/tables/all_tables.h"
 #include "analysis/report/tables/dictionary.h"
 #include "analysis/report/tables/late_tables.h"
-#include "analysis/report/tables/late_text.h"
 #include "analysis/report/tables/looking_tables.h"
 #include "analysis/report/tables/preregistration_table.h"
 #include "analysis/report/tables/still_tables.h"

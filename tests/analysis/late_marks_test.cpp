@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "analysis/report/tables/late_tables.h"
-#include "analysis/report/tables/late_text.h"
 #include "tests/analysis/threshold_people.h"
 
 namespace seamline::analysis {

@@ -21,7 +21,6 @@
 #include "analysis/report/page/replication_section.h"
 #include "analysis/report/page/samples_section.h"
 #include "analysis/report/page/thresholds_section.h"
-#include "analysis/report/tables/late_text.h"
 #include "analysis/report/text/threshold_text.h"
 #include "analysis/scores/level_words.h"
 #include "support/files/assets.h"

@@ -49,6 +49,12 @@ struct LateReport {
 /// was rated.
 [[nodiscard]] std::vector<LateThreshold> thresholds_beside(const Analysis& with, const Analysis& without);
 
+/// How the clips were shown, how many trials are marked and what becomes of them: for the notes.
+[[nodiscard]] std::string late_sentence(const LateReport& late);
+
+/// The same for a paper, with the largest change of a threshold.
+[[nodiscard]] std::string late_method(const LateReport& late);
+
 /// The tables `late_frames` and `late_thresholds`; the second only where thresholds are compared.
 [[nodiscard]] std::vector<CsvTable> late_tables(const Analysis& analysis, const LateReport& late);
 
