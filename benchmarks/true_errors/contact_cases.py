@@ -112,14 +112,17 @@ class ContactCase:
         return point if all(low < p < high for p, (low, high) in zip(point, self.bounds)) else None
 
     def around_foot(self, reach):
-        """Pixels that show nothing but that surface, by no more than `reach` radii from the first object's foot."""
+        """Pixels that show nothing but that surface, by no more than `reach` radii from the first object's foot, the nearest first."""
         thing, found = self.objects[0], []
         for y in range(SIZE[1]):
             for x in range(SIZE[0]):
                 points = [self.stands_at(x + i, y + j) for i, j in ((0.5, 0.5), (-0.5, -0.5), (1.5, -0.5), (-0.5, 1.5), (1.5, 1.5))]
-                if all(points) and math.hypot(points[0][0] - thing.foot[0], points[0][1] - thing.foot[2]) < reach * thing.radius:
-                    found.append((x, y))
-        return found
+                if not all(points):
+                    continue
+                away = math.hypot(points[0][0] - thing.foot[0], points[0][1] - thing.foot[2])
+                if away < reach * thing.radius:
+                    found.append((away, x, y))
+        return [(x, y) for _, x, y in sorted(found)]
 
 
 def contact_cases():

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "composites/view/measured_places.h"
+#include "composites/measured_places.h"
 #include "window/input.h"
 
 namespace seamline::place {

@@ -12,13 +12,13 @@
 #include <utility>
 #include <vector>
 
+#include "composites/measured_places.h"
 #include "composites/objects/placing.h"
 #include "composites/photo_world.h"
 #include "composites/place/measuring_window.h"
 #include "composites/place/place_input.h"
 #include "composites/place/place_page.h"
 #include "composites/place_preview.h"
-#include "composites/view/measured_places.h"
 #include "support/running/interrupt.h"
 #include "support/running/parallel.h"
 #include "support/text/error.h"

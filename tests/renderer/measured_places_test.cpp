@@ -1,5 +1,5 @@
 // Places that were clicked become the points from which an estimate's scale and shift are found.
-#include "composites/view/measured_places.h"
+#include "composites/measured_places.h"
 
 #include <gtest/gtest.h>
 

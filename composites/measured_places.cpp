@@ -1,4 +1,4 @@
-#include "composites/view/measured_places.h"
+#include "composites/measured_places.h"
 
 #include <fmt/core.h>
 
