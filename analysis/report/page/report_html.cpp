@@ -172,7 +172,8 @@ std::string late_html(const std::optional<LateReport>& late) {
                                  {"dropped", true}},
                                 curves);
   if (!thresholds.empty())
-    html += html_table({{"artifact"}, {""}, {"with marked trials", true}, {"without", true}}, thresholds);
+    html += html_paragraph("Thresholds of record with the marked trials, and without them:") +
+            html_table({{"artifact"}, {""}, {"with", true}, {"without", true}}, thresholds);
   return html;
 }
 

@@ -80,11 +80,11 @@ std::vector<std::string> sentences_of(const Analysis& analysis,
   std::vector<std::string> sentences;
   for (const ClipAgainstStill& one : compared) {
     const ContrastRow& row = one.difference;
-    const std::string numbers =
-        row.verdict == ContrastVerdict::not_estimable
-            ? "cannot be estimated"
-            : fmt::format("is {:+.2f} {} ({:+.2f} to {:+.2f}, p {:.3f})", row.estimate,
-                          length_unit(analysis.data.axis), row.ci95_low, row.ci95_high, row.adjusted_p);
+    const std::string numbers = row.verdict == ContrastVerdict::not_estimable
+                                    ? "cannot be estimated"
+                                    : fmt::format("is {:+.2f} {} ({:+.2f} to {:+.2f}, {})", row.estimate,
+                                                  length_unit(analysis.data.axis), row.ci95_low,
+                                                  row.ci95_high, p_text(row.adjusted_p));
     sentences.push_back(fmt::format(
         "Clip against still, '{}': the threshold of '{}' less that of '{}', whose clips are stills, {}. {}.",
         one.artifact, one.clip, one.still, numbers,
