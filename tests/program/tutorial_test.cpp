@@ -1,10 +1,14 @@
 // The tutorials do what they say: their files and commands, as they stand on the pages, in a folder that
-// holds nothing but the scene; the studies in smaller pictures.
+// holds nothing but the scene; the studies in smaller pictures. Of what is done by hand, the server runs, and
+// a participant answers it; windows are left out.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "pages.h"
 #include "run_program.h"
+#include "running_program.h"
+#include "study/trials/rendered_set.h"
+#include "tests/online/http_client.h"
 
 namespace seamline {
 namespace {
@@ -36,6 +40,53 @@ void run_line(const fs::path& folder, const std::string& line) {
   ASSERT_EQ(outcome.status, 0) << line << "\n" << outcome.output;
 }
 
+/// The port that a server says, once it does.
+int port_of(const test::Running& server) {
+  const std::string before = "at http://127.0.0.1:";
+  for (int look = 0; look < 20000; ++look) {
+    const std::string said = test::read_text(server.output);
+    const std::size_t at = said.find(before), end = said.find("/ into", at);
+    if (at != std::string::npos && end != std::string::npos)
+      return std::stoi(said.substr(at + before.size(), end - at - before.size()));
+    ::usleep(1000);
+  }
+  return 0;
+}
+
+/// A pilot goes through the page, from consent to the last picture.
+void take_part(const study::RenderedSet& set, int port) {
+  using namespace study::online;
+  HttpClient client(port);
+  Page page{.set = &set, .number = 1, .pilot = true};
+  const auto enrolled = client.enrol(page.enrol());
+  ASSERT_TRUE(enrolled && enrolled->status == 200) << (enrolled ? enrolled->body : "no answer");
+  page.code = enrolled->json().at("participant");
+  page.slot = enrolled->json().at("slot");
+  for (const Message& message : page.the_rest()) {
+    const auto stored =
+        client.request("POST", "/api/messages", message_line(message) + "\n", enrolled->json().at("secret"));
+    ASSERT_TRUE(stored && stored->status == 200) << (stored ? stored->body : "no answer");
+  }
+}
+
+/// Serves as the line says, at any free port of this machine. Who has an invitation comes on another day.
+void serve_line(const fs::path& folder, const std::string& line) {
+  std::istringstream words(line);
+  std::vector<std::string> arguments;
+  std::string word;
+  for (words >> word; words >> word;)
+    arguments.push_back(word.starts_with("192.168.")                             ? "127.0.0.1"
+                        : fs::exists(folder / word) || word.ends_with(".sqlite") ? (folder / word).string()
+                                                                                 : word);
+  arguments.insert(arguments.end(), {"--port", "0"});
+  const test::Running server = test::start(arguments, folder / "served");
+  if (const int port = port_of(server); port == 0)
+    ADD_FAILURE() << line << "\n" << test::read_text(server.output);
+  else if (line.find("--tokens") == std::string::npos)
+    take_part(study::load_rendered_set(folder / "my_set"), port);
+  EXPECT_EQ(test::status_after(server, SIGINT), 0) << test::read_text(server.output);
+}
+
 /// Does what a page says. Behind a fence stands what its block is: `sh` for commands, `sh by hand` for those
 /// that need a person, `toml FILE` and `csv FILE` for a file to write, `toml append FILE` for lines to add to
 /// one, nothing for what the program says.
@@ -54,6 +105,8 @@ void follow(const std::string& page, const fs::path& folder) {
     } else if (block.kind == "sh") {
       std::istringstream lines(block.text);
       for (std::string line; std::getline(lines, line); ++lines_run) run_line(folder, line);
+    } else if (block.kind == "sh by hand" && block.text.starts_with("seamline serve ")) {
+      serve_line(folder, block.text);
     } else {
       EXPECT_TRUE(block.kind.empty() || block.kind == "sh by hand") << page << ": " << block.kind;
     }
@@ -70,7 +123,8 @@ TEST(Tutorial, AStudyGoesFromAnEmptyFolderThroughLabAndBrowserToAReport) {
   follow("lab_session.md", folder);
   EXPECT_THAT(test::read_text(folder / "people_report" / "report.html"), HasSubstr("18 simulated observers"));
   follow("online_study.md", folder);
-  EXPECT_TRUE(fs::is_regular_file(folder / "page" / "index.html"));
+  EXPECT_THAT(test::read_text(folder / "web_report" / "report.html"), HasSubstr("1 participant"));
+  EXPECT_TRUE(fs::is_regular_file(folder / "both_report" / "report.html"));
 }
 
 TEST(Tutorial, AnObjectComesIntoAPhotograph) {
