@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <numbers>
 
+#include "composites/fast_photo.h"
 #include "composites/light/clipped_sources.h"
 #include "composites/photo_light.h"
+#include "raytracer/light/bright_patches.h"
 #include "raytracer/scene/truth_scene.h"
 #include "support/text/error.h"
 #include "support/text/printable.h"
@@ -191,6 +193,14 @@ void require_way_in(const KnownLight& known, const Geometry& depth, Notes& notes
         "sun and environment shine in through {:.2g} % of all directions alone: elsewhere the depth "
         "map is closed",
         100 * open));
+}
+
+void look_for_spots(std::span<const std::shared_ptr<const SurfaceMesh>> objects, const DepthMesh& mesh,
+                    double albedo, Light& light) {
+  if (light.lamps.empty()) return;
+  std::vector<std::shared_ptr<const SurfaceMesh>> everything = {surface_of_depth(mesh, albedo)};
+  everything.insert(everything.end(), objects.begin(), objects.end());
+  add_bright_patches({}, Geometry(everything), light);
 }
 
 }  // namespace seamline::renderer

@@ -1,5 +1,7 @@
 #pragma once
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,5 +26,10 @@ struct KnownLight {
 
 /// Throws InputError where suns and environment are all the light, and the local scene is closed all round.
 void require_way_in(const KnownLight& known, const Geometry& depth, Notes& notes);
+
+/// Paths of `light` look for the spots that its lamps light on real surfaces and objects close to them
+/// (raytracer/light/bright_patches.h); nothing without lamps. `mesh`: the local scene.
+void look_for_spots(std::span<const std::shared_ptr<const SurfaceMesh>> objects, const DepthMesh& mesh,
+                    double albedo, Light& light);
 
 }  // namespace seamline::renderer

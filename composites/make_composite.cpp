@@ -331,6 +331,8 @@ void make_composite(const CompositeRequest& asked, const CompositeListener& list
     local = std::move(reduced);
   }
 
+  look_for_spots(objects.meshes, local.mesh, request.albedo, local.light);
+  if (world.known.added) look_for_spots(objects.meshes, local.mesh, request.albedo, *world.known.added);
   const PhotoScene scene = photo_scene(local);
   const auto meshes_of = [&](const PhotoLocalScene& of) {
     return PhotoMeshes{surface_of_depth(of.mesh, request.albedo), objects.meshes};

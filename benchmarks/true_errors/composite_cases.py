@@ -36,6 +36,20 @@ class CompositeCase:
         return float(re.search(r"estimated error ([0-9.]+)", " ".join(lines)).group(1))
 
 
+def near_lamps(dim):
+    """Lamps without size 4 cm from a surface: virtual ones, and real ones that the photograph shows, too."""
+    sky = ["--environment", "0.06,0.07,0.09"]
+    wall, floor, under = "-0.5,-0.6,-4.96,4,3.7,3.3", "0.6,-1.16,-2.3,4,3.7,3.3", "0,-0.3,-2.05,4,3.7,3.3"
+    return [
+        CompositeCase("lamp_at_wall", OPEN, dim, sky + ["--lamp", wall]),
+        CompositeCase("lamp_at_floor", OPEN, dim, sky + ["--lamp", floor]),
+        CompositeCase("lamp_at_object", OPEN, dim, sky + ["--lamp", under]),
+        CompositeCase("lamp_at_wall_additive", OPEN, dim, sky + ["--lamp", wall], ["--additive"]),
+        CompositeCase("lamp_at_wall_plus_3_ev", OPEN, dim, sky + ["--lamp", wall], ["--exposure", "3"]),
+        CompositeCase("lamp_at_floor_closed", CLOSED + [(lying_panel(0, 2.98, -1.5, 0.6), {"emits": (6, 6, 5.5)})], [], ["--lamp", floor]),
+    ]
+
+
 def composite_cases():
     day = ["--environment", "0.3", "0.35", "0.45", "--to-sun", "0.5", "1", "0.3", "--sun-irradiance", "6", "5.5", "5"]
     dim = ["--environment", "0.06", "0.07", "0.09"]
@@ -45,5 +59,6 @@ def composite_cases():
         CompositeCase("plus_3_ev", OPEN, dim, ["--environment", "0.06,0.07,0.09"], ["--exposure", "3"]),
         CompositeCase("closed", LIT_ROOM, [], ["--light-from-photograph"]),
         CompositeCase("small_lamp", SMALL_LAMP, [], ["--light-from-photograph"]),
+        *near_lamps(dim),
         CompositeCase("metal", OPEN, day, SKY + SUN, object_parts=gloss(1, 0.1)),
     ]
