@@ -19,7 +19,7 @@ namespace {
 /// In a condition's name before the number of a frame.
 constexpr char frame_mark = '@';
 /// A moment that is meant to be a capture's own may have been rounded to just before it.
-constexpr double same_capture = 1e-6;
+constexpr double just_captured = 1e-6;
 
 /// The condition that a frame's is made of, and the frame's time.
 struct FrameName {
@@ -128,7 +128,7 @@ DepthSettings depth_of_frame(const StudyDefinition& study, const std::string& co
   const DepthClock clock = clock_of(*study.clip, frame.condition, study.level, level);
   const double captures_per_s = clock.frames_per_s > 0 ? clock.frames_per_s : study.clip->frames_per_s;
   const std::int64_t capture =
-      std::llround(std::floor(capture_time_s(clock, frame.time_s) * captures_per_s + same_capture));
+      std::llround(std::floor(capture_time_s(clock, frame.time_s) * captures_per_s + just_captured));
   if (capture != 0) depth.chain->seed = mix_bits(depth.chain->seed + static_cast<std::uint64_t>(capture));
   return depth;
 }

@@ -19,11 +19,11 @@ ByteImage with_square(int left_px, int side_px, int steps) {
   return image;
 }
 
-const ByteImage grey = with_square(0, 0, 0);
+const ByteImage plain_grey = with_square(0, 0, 0);
 
 TEST(ClipSeam, WhatStandsStillDoesNotFlicker) {
   ClipSeamMeter meter;
-  for (int frame = 0; frame < 5; ++frame) meter.add(with_square(10, 6, 20), grey);
+  for (int frame = 0; frame < 5; ++frame) meter.add(with_square(10, 6, 20), plain_grey);
   const ClipSeam seam = meter.result();
   ASSERT_TRUE(seam.flicker);
   EXPECT_EQ(*seam.flicker, 0);
@@ -34,7 +34,7 @@ TEST(ClipSeam, WhatStandsStillDoesNotFlicker) {
 
 TEST(ClipSeam, ASquareThatIsElsewhereInEveryFrameFlickersByTheRootOfTwo) {
   ClipSeamMeter meter;
-  for (int frame = 0; frame < 6; ++frame) meter.add(with_square(frame % 2 == 0 ? 4 : 40, 6, 20), grey);
+  for (int frame = 0; frame < 6; ++frame) meter.add(with_square(frame % 2 == 0 ? 4 : 40, 6, 20), plain_grey);
   const ClipSeam seam = meter.result();
   EXPECT_NEAR(*seam.flicker, std::sqrt(2), 1e-12);
   EXPECT_NEAR(seam.change_steps, 20, 1e-12);
@@ -42,14 +42,14 @@ TEST(ClipSeam, ASquareThatIsElsewhereInEveryFrameFlickersByTheRootOfTwo) {
 
 TEST(ClipSeam, ASignThatTurnsFlickersByTwo) {
   ClipSeamMeter meter;
-  for (int frame = 0; frame < 6; ++frame) meter.add(with_square(8, 6, frame % 2 == 0 ? 15 : -15), grey);
+  for (int frame = 0; frame < 6; ++frame) meter.add(with_square(8, 6, frame % 2 == 0 ? 15 : -15), plain_grey);
   EXPECT_NEAR(*meter.result().flicker, 2, 1e-12);
 }
 
 TEST(ClipSeam, ASquareThatGoesOnBySomePixelsFlickersByTheShareThatItLeaves) {
   for (const int pixels : {1, 2, 3}) {
     ClipSeamMeter meter;
-    for (int frame = 0; frame < 5; ++frame) meter.add(with_square(4 + pixels * frame, 8, 20), grey);
+    for (int frame = 0; frame < 5; ++frame) meter.add(with_square(4 + pixels * frame, 8, 20), plain_grey);
     // Both what it leaves and what it enters change by 20: 2 p / 8 of the square.
     EXPECT_NEAR(*meter.result().flicker, std::sqrt(2.0 * pixels / 8), 1e-12) << pixels;
   }
@@ -57,7 +57,7 @@ TEST(ClipSeam, ASquareThatGoesOnBySomePixelsFlickersByTheShareThatItLeaves) {
 
 TEST(ClipSeam, MeanAndLargestFrameAreOfAllFrames) {
   ClipSeamMeter meter;
-  for (const int side_px : {0, 4, 8, 0}) meter.add(with_square(8, side_px, 20), grey);
+  for (const int side_px : {0, 4, 8, 0}) meter.add(with_square(8, side_px, 20), plain_grey);
   const ClipSeam seam = meter.result();
   for (const ClipSeamExtent& extent : seam.beyond) {
     EXPECT_EQ(extent.mean_area_px, (16 + 64) / 4.0);
@@ -69,7 +69,7 @@ TEST(ClipSeam, MeanAndLargestFrameAreOfAllFrames) {
 
 TEST(ClipSeam, WithoutASeamThereIsNoFlicker) {
   ClipSeamMeter meter;
-  for (int frame = 0; frame < 3; ++frame) meter.add(grey, grey);
+  for (int frame = 0; frame < 3; ++frame) meter.add(plain_grey, plain_grey);
   EXPECT_FALSE(meter.result().flicker);
   EXPECT_EQ(meter.result().change_steps, 0);
 }

@@ -38,7 +38,7 @@ ContrastRow turned_round(ContrastRow row) {
 }
 
 /// As the joint model names a curve of a condition.
-std::string curve_name(const ArtifactScores& scores) {
+std::string contrast_name(const ArtifactScores& scores) {
   return std::string(word(scores.artifact)) + in_condition(scores.condition);
 }
 
@@ -62,7 +62,7 @@ std::vector<ClipAgainstStill> clips_against_stills(const Analysis& analysis) {
       if (clip.artifact != still.artifact || stills.contains(clip.condition) ||
           !stills.contains(still.condition))
         continue;
-      const std::string a = curve_name(clip), b = curve_name(still);
+      const std::string a = contrast_name(clip), b = contrast_name(still);
       std::optional<ContrastRow> row;
       if (const ContrastRow* found = row_named(analysis, a + " - " + b)) row = *found;
       if (const ContrastRow* found = row_named(analysis, b + " - " + a)) row = turned_round(*found);
