@@ -35,7 +35,7 @@ set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "Renders pictures in which one object was c
 a depth map of a chosen resolution, shows them to people in forced-choice
 trials, and computes perceptual thresholds from their answers.
 
-Real people answer in a window; simulated ones need none.")
+Real people answer in a window or in a browser; simulated ones need neither.")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # What the program runs (figures of a report) and reads (letters of contact sheets and of the window).
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "gnuplot-nox | gnuplot, fonts-dejavu-core")

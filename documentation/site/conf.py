@@ -24,10 +24,12 @@ pygments_dark_style = "monokai"
 
 
 def whole_options(app, page, template, context, doctree):
-    """A browser may break a line after each hyphen; an option of a command stays whole."""
+    """A browser may break a line after each hyphen; an option of a command stays whole, and so does 5 %."""
     def block(match):
         return re.sub(r"(?<![\w-])(--?[A-Za-z][\w-]*)", r'<span class="option">\1</span>', match[0])
-    context["body"] = re.sub(r"<pre>.*?</pre>", block, context.get("body", ""), flags=re.S)
+    body = re.sub(r"<pre>.*?</pre>", block, context.get("body", ""), flags=re.S)
+    body = re.sub(r'<span class="pre">(--[\w-]+)</span>', r'<span class="pre option">\1</span>', body)
+    context["body"] = re.sub(r"(?<=\d) %", "\u00a0%", body)
 
 
 def setup(app):
