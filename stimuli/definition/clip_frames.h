@@ -34,7 +34,8 @@ struct Clip {
                                                             const Stimulus& stimulus);
 
 /// The depth settings of a stimulus of a study of frames: a sensor's noise is new in every capture, and held
-/// as long as that is. The first capture has the noise of a still. Those of every other study are as they are.
+/// as long as that is. The first capture has the noise of a still. Those of every other study are as they
+/// are.
 [[nodiscard]] DepthSettings depth_of_frame(const StudyDefinition& study, const std::string& condition,
                                            DepthSettings depth, double level);
 

@@ -48,7 +48,8 @@ std::array<FullCoverage, 4> full_coverage(const ScenePeople& of, int studies) {
 
 }  // namespace
 
-/// How often both intervals hold the mean of all scenes. SEAMLINE_TRUE_STUDIES: how many of each row (default 200).
+/// How often both intervals hold the mean of all scenes. SEAMLINE_TRUE_STUDIES: how many of each row (default
+/// 200).
 TEST(OverScenesCoverage, OfScenesLikeThese) {
   const char* asked = std::getenv("SEAMLINE_TRUE_STUDIES");
   const int studies = asked == nullptr ? 200 : std::stoi(asked);

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kinect = test::real_data() / "rgbd";
+const fs::path kinect = seamline::test::real_data() / "rgbd";
 
 /// The frames copied into a folder of the test, with an index. Their depth is registered already.
 fs::path recording_of_kinect(bool with_poses) {
