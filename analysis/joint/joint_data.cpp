@@ -41,8 +41,9 @@ void fold_cell(const Eigen::MatrixXd& trials, Eigen::Index first, Eigen::Ref<Eig
             trials.col(first + count_place(right, chosen, rating));
 }
 
-/// b averaged over where the right answers were.
+/// b averaged over where the right answers were; of a cell that nobody answered over all places alike.
 double chance_of_cell(const Eigen::VectorXd& counts, const Guessers& guessers) {
+  if (!(counts.sum() > 0)) return 1.0 / study::objects_per_stimulus;
   double sum = 0;
   for (int right = 0; right < study::objects_per_stimulus; ++right)
     sum += counts.segment(right * answers_of_trial, answers_of_trial).sum() *
