@@ -47,7 +47,8 @@ std::string reason_of_scenes(const std::vector<SceneThreshold>& scenes, const Le
   std::vector<std::string> without;
   for (const SceneThreshold& one : scenes) {
     if (one.here.reason.starts_with("not identified")) return one.here.reason;
-    if (!(one.x >= range.low_x && one.x <= range.high_x)) without.push_back(one.scene);
+    const bool near = !std::isnan(one.x) && one.x >= range.low_x && one.x <= range.high_x;
+    if (!near) without.push_back(one.scene);
   }
   if (without.empty()) return "";
   return fmt::format("no threshold near the levels tested in {} of {} scenes ({})", without.size(),
