@@ -43,7 +43,7 @@ std::vector<std::string> scenes_titles(const LevelAxis& axis) {
   return {"artifact",
           "threshold",
           "scenes",
-          "mean",
+          "mean" + unit_suffix(axis),
           "these scenes (95 %)",
           "scenes like these (95 %)",
           "between scenes, " + length_unit(axis)};
