@@ -109,13 +109,14 @@ namespace fs = std::filesystem;
 /// A wall from 2 m at the left to 4 m at the right, and its inverse depth with a planted scale and shift.
 fs::path written_wall() {
   constexpr int width_px = 320, height_px = 180;
-  const fs::path folder = fs::path(SEAMLINE_TEST_OUTPUT) / "place_measuring";
+  fs::path folder = fs::path(SEAMLINE_TEST_OUTPUT) / "place_measuring";
   fs::create_directories(folder);
   Image estimate(width_px, height_px, 1);
   for (int y = 0; y < height_px; ++y)
     for (int x = 0; x < width_px; ++x) {
       const float inverse = 0.5F - 0.25F * (static_cast<float>(x) + 0.5F) / width_px;
-      estimate.values[static_cast<std::size_t>(y * width_px + x)] = (inverse - 0.1F) / 0.02F;
+      estimate.values[static_cast<std::size_t>(y) * width_px + static_cast<std::size_t>(x)] =
+          (inverse - 0.1F) / 0.02F;
     }
   write_exr(folder / "photo.exr", Image(width_px, height_px, 3, 0.4F));
   write_exr(folder / "estimate.exr", estimate);

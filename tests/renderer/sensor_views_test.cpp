@@ -13,7 +13,6 @@ namespace seamline::renderer {
 namespace {
 
 using sensor_rooms::chain_of;
-using sensor_rooms::empty_room;
 using sensor_rooms::furnished_truth;
 using sensor_rooms::pinhole;
 
