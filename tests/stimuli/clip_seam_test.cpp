@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 
 namespace seamline {
 namespace {
@@ -12,10 +15,9 @@ namespace {
 ByteImage with_square(int left_px, int side_px, int steps) {
   ByteImage image{.width_px = 64, .height_px = 32, .channels = 3, .values = {}};
   image.values.assign(std::size_t{64} * 32 * 3, 100);
+  const auto grey = static_cast<std::uint8_t>(100 + steps);
   for (int y = 8; y < 8 + side_px; ++y)
-    for (int x = left_px; x < left_px + side_px; ++x)
-      for (int c = 0; c < 3; ++c)
-        image.values[static_cast<std::size_t>((y * 64 + x) * 3 + c)] = static_cast<std::uint8_t>(100 + steps);
+    std::fill_n(image.values.begin() + std::ptrdiff_t{3} * (y * 64 + left_px), 3 * side_px, grey);
   return image;
 }
 

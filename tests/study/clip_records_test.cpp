@@ -78,7 +78,7 @@ TEST_F(ClipRecords, OtherEventsAreRefused) {
 }
 
 TEST_F(ClipRecords, AStudyOfStillsHasNoSuchColumns) {
-  LogWriter(path, set);
+  const LogWriter written(path, set);
   EXPECT_TRUE(read_clip_counts(read_log(path)).empty());
   EXPECT_EQ(answer_tables(read_log(path)).front().columns.back().name, "image_scale");
 }
