@@ -62,8 +62,7 @@ Contrast slope_contrast(const JointModel& model, const std::vector<CurveLabel>& 
 /// One question about all pairs of curves that belong together.
 void add_table(const std::string& question, const JointFit& fit, const JointJackknife& left_out,
                const std::vector<CurveLabel>& labels, const SamePair& together,
-               const std::function<Contrast(int from, int to)>& contrast, JointContrasts& into,
-               bool few_carry_it = false) {
+               const std::function<Contrast(int from, int to)>& contrast, JointContrasts& into) {
   ContrastFamily family{.question = question, .contrasts = {}, .degrees_of_freedom = fit.people - 1.0};
   family.differences = true;
   const std::vector<int> curves = curves_with_numbers(fit);
@@ -72,10 +71,9 @@ void add_table(const std::string& question, const JointFit& fit, const JointJack
       if (together(labels[static_cast<std::size_t>(curves[i])], labels[static_cast<std::size_t>(curves[j])]))
         family.contrasts.push_back(contrast(curves[i], curves[j]));
   if (family.contrasts.empty()) return;
-  if (few_carry_it)
-    for (const Contrast& one : family.contrasts)
-      family.degrees_of_freedom =
-          std::min(family.degrees_of_freedom, jackknife_degrees(left_out.theta * one.weights));
+  for (const Contrast& one : family.contrasts)
+    family.degrees_of_freedom =
+        std::min(family.degrees_of_freedom, jackknife_degrees(left_out.theta * one.weights));
   constexpr std::size_t most_single_step = 1000;
   const Correction correction =
       family.contrasts.size() > most_single_step ? Correction::holm : Correction::single_step;
@@ -118,7 +116,7 @@ void add_slopes_of(const JointFit& fit, const JointJackknife& left_out, const st
                    JointContrasts& into) {
   add_table(
       "Do slopes differ?", fit, left_out, labels, [](const CurveLabel&, const CurveLabel&) { return true; },
-      [&](int from, int to) { return slope_contrast(fit.model, labels, from, to); }, into, true);
+      [&](int from, int to) { return slope_contrast(fit.model, labels, from, to); }, into);
 }
 
 void add_slopes(const JointFit& shared, const JointJackknife& shared_left_out, const JointData& data,

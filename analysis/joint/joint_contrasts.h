@@ -14,9 +14,10 @@ struct CurveLabel {
 };
 
 /// Differences of thresholds and of slopes between curves, a table a question, adjusted together by the
-/// contrasts' joint t distribution over the jackknife's covariance, people - 1 degrees of freedom. Estimates
-/// of thresholds are differences of m along the axis (octaves on log2 axes; where scales and criteria are
-/// shared PT, SN and IP differ by the same, guesses apart); those of slopes differences of -log s, so that
+/// contrasts' joint t distribution over the jackknife's covariance; a table's degrees of freedom are the
+/// least of its contrasts' (analysis/statistics/jackknife_degrees.h), people - 1 at most. Estimates of
+/// thresholds are differences of m along the axis (octaves on log2 axes; where scales and criteria are shared
+/// PT, SN and IP differ by the same, guesses apart); those of slopes differences of -log s, so that
 /// exp(estimate) is how many times steeper.
 struct JointContrasts {
   std::vector<ContrastTable> tables;

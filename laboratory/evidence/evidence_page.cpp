@@ -69,7 +69,7 @@ EvidencePage coverage_page() {
                      "--gtest_filter=TrueCoverage.OfTheJointModel",
                      Printed::progress},
                     {"false_alarms",
-                     "SEAMLINE_TRUE_STUDIES=150 tests/analysis_full_tests "
+                     "SEAMLINE_TRUE_STUDIES=300 tests/analysis_full_tests "
                      "--gtest_filter=TrueCoverage.FalseSentencesOfBothModels",
                      Printed::progress},
                     {"papers_way", "tests/analysis_full_tests --gtest_filter=Coverage.*"}},
