@@ -67,13 +67,14 @@ CsvTable table_of_measurements() {
                       {"unit", "", "of found and beside"},
                       {"found", "", "Seamline's"},
                       {"beside", "", "what ran beside it"},
-                      {"ratio", "1", "found over beside"}},
+                      {"ratio", "1", "found over beside"},
+                      {"wanted", "", "a goal that was set before"}},
           .rows = {}};
 }
 
 std::vector<CsvValue> row_of(const Measurement& m) {
   const auto cell = [](std::optional<double> value) { return value ? CsvValue(*value) : CsvValue(); };
-  return {m.what, m.unit, m.found, cell(m.beside), cell(m.ratio)};
+  return {m.what, m.unit, m.found, cell(m.beside), cell(m.ratio), wanted_text(m.wanted)};
 }
 
 void run_bench(const CommandLine& line) {

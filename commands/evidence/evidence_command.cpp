@@ -11,10 +11,17 @@
 namespace seamline::laboratory {
 namespace {
 
+namespace fs = std::filesystem;
+
 struct EvidenceOptions {
-  std::string page, out = "evidence";
-  bool small = false;
+  std::string page, out = "evidence", pages;
+  bool small = false, tables = false;
 };
+
+fs::path made_page(const EvidencePage& page, const EvidenceOptions& options) {
+  if (options.tables) return renew_evidence(page, options.pages);
+  return remake_evidence(page, {.out = options.out, .small = options.small, .pages = options.pages});
+}
 
 void list_evidence() {
   fmt::print("{:20} {:12} {}\n", "page", "takes", "what it shows");
@@ -29,15 +36,14 @@ void list_evidence() {
 
 void run_evidence(const EvidenceOptions& options) {
   if (options.page.empty()) return list_evidence();
-  const RemakeOptions remake{.out = options.out, .small = options.small};
   if (options.page != "all") {
-    fmt::print("{}\n", remake_evidence(evidence_page(options.page), remake).string());
+    fmt::print("{}\n", made_page(evidence_page(options.page), options).string());
     return;
   }
   for (const EvidencePage& page : evidence_pages()) {
-    const std::string missing = missing_of(page, options.small);
-    fmt::print("{}\n", missing.empty() ? remake_evidence(page, remake).string()
-                                       : page.name + " is left out: " + missing);
+    const std::string missing = options.tables ? "" : missing_of(page, options.small);
+    fmt::print("{}\n",
+               missing.empty() ? made_page(page, options).string() : page.name + " is left out: " + missing);
     std::fflush(stdout);
   }
 }
@@ -54,8 +60,18 @@ void add_evidence_command(CLI::App& app) {
       ->add_option("--out", options->out,
                    "folder; each page has a folder in it, and a run that was stopped goes on there")
       ->capture_default_str();
-  command->add_flag("--small", options->small,
-                    "seconds instead of minutes and hours: whether it can be remade");
+  CLI::Option* small = command->add_flag("--small", options->small,
+                                         "seconds instead of minutes and hours: whether it can be remade");
+  CLI::Option* pages =
+      command
+          ->add_option(
+              "--pages", options->pages,
+              "folder of pages, as documentation/evidence: renew the page there, its tables and figures")
+          ->excludes(small);
+  command
+      ->add_flag("--tables", options->tables,
+                 "measure nothing: renew the pages of --pages from the tables that lie beside them")
+      ->needs(pages);
   command->callback([options] { run_evidence(*options); });
 }
 

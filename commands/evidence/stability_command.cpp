@@ -11,6 +11,7 @@
 #include "laboratory/stability/convergence_cases.h"
 #include "laboratory/stability/run_cases.h"
 #include "raytracer/common/parallel.h"
+#include "support/files/atomic_file.h"
 #include "support/files/gnuplot.h"
 #include "support/text/number_option.h"
 
@@ -20,7 +21,7 @@ namespace {
 struct CommandLine {
   StabilityOptions options;
   std::string only;
-  std::filesystem::path figure;
+  std::filesystem::path figure, csv;
   bool list = false, json = false, markdown = false;
 };
 
@@ -51,6 +52,7 @@ bool run_stability(const CommandLine& line) {
       });
   if (line.json) fmt::print("{}", outcomes_json(outcomes));
   if (line.markdown) fmt::print("{}", outcomes_markdown(outcomes));
+  if (!line.csv.empty()) write_file_atomically(line.csv, csv_text(outcomes_table(outcomes)));
   if (!line.json && !line.markdown) fmt::print("{} of {} cases passed\n", passed, cases.size());
   if (!line.figure.empty()) draw_orders(order_series(), line.figure);
   return passed == cases.size();
@@ -69,7 +71,8 @@ void add_stability_command(CLI::App& app, bool& any_failed) {
                         "an SVG file: observed orders of convergence beside the expected ones");
   add_number(*stability, "--threads", line->options.threads, {1, 1024}, "threads of renders and builds");
   auto* json = stability->add_flag("--json", line->json, "as data");
-  stability->add_flag("--markdown", line->markdown, "as the tables of the documentation")->excludes(json);
+  stability->add_option("--csv", line->csv, "also write the cases to this file, a row each");
+  stability->add_flag("--markdown", line->markdown, "as Markdown tables, one a group")->excludes(json);
   stability->callback([line, &any_failed] { any_failed = !run_stability(*line); });
 }
 

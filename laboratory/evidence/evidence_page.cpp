@@ -1,118 +1,15 @@
 #include "laboratory/evidence/evidence_page.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "laboratory/evidence/evidence_of_answers.h"
+#include "laboratory/evidence/evidence_of_pictures.h"
 #include "support/text/error.h"
 #include "support/text/suggest.h"
 
 namespace seamline::laboratory {
 namespace {
-
-constexpr const char* tests_needed = "a build with its tests: cmake --build build/release";
-constexpr const char* python_needed = "the source, Python";
-
-EvidencePage convergence_page() {
-  const auto step = [](const char* name, const char* stimulus) {
-    return EvidenceStep{
-        name,
-        std::string("seamline lab convergence stimuli/depth_resolution_isolated.toml --only ") + stimulus +
-            "-0512 --size 480x270 --spp 64 --seconds 240 --out " + name,
-        Printed::progress};
-  };
-  const auto light = [](const char* name, const char* study, const char* stimulus) {
-    return EvidenceStep{name,
-                        std::string("seamline lab convergence stimuli/") + study + ".toml --only " +
-                            stimulus + "-0064 --size 64x36 --spp 64 --seconds 60 --parts light --out " + name,
-                        Printed::progress};
-  };
-  EvidencePage page{.name = "convergence",
-                    .shows = "error of a picture against run time, mesh tolerance and depth width",
-                    .takes = "40 minutes",
-                    .needs = "",
-                    .steps = {},
-                    .small_steps = {}};
-  page.steps = {step("receiver", "bedroom-receiver-statue"),
-                step("shadow", "gazebo-shadow-lion"),
-                step("occlusion", "atrium-occlusion-teapot_middle"),
-                step("overlap", "gazebo-overlap-lion"),
-                light("light-interior", "environment_light", "gazebo-shadow-lion-interior"),
-                light("light-sky", "environment_light", "gazebo-shadow-lion-sky"),
-                {"estimates",
-                 "seamline lab convergence stimuli/quick.toml --only bedroom-receiver-statue-0064 --parts "
-                 "sensor,repair,registration,fit,joint,interval --out estimates",
-                 Printed::progress}};
-  page.small_steps = {
-      {"estimates",
-       "seamline lab convergence stimuli/quick.toml --only bedroom-receiver-statue-0064 --size "
-       "32x18 --parts sensor,repair --out estimates",
-       Printed::progress}};
-  for (const EvidenceStep& one : page.steps) {
-    for (const char* figure : {"samples", "mesh", "width", "light", "sensor", "repair", "registration", "fit",
-                               "joint", "interval"})
-      page.shown.push_back(one.name + "/" + figure + ".svg");
-    page.shown.push_back(one.name + "/slopes.csv");
-  }
-  return page;
-}
-
-EvidencePage coverage_page() {
-  return {.name = "coverage",
-          .shows = "how often intervals hold the truth",
-          .takes = "4 hours",
-          .needs = tests_needed,
-          .steps = {{"lines",
-                     "SEAMLINE_TRUE_STUDIES=2000 tests/analysis_full_tests "
-                     "--gtest_filter=TrueCoverage.OfThePapersWay",
-                     Printed::progress},
-                    {"joint",
-                     "SEAMLINE_TRUE_STUDIES=60 tests/analysis_full_tests "
-                     "--gtest_filter=TrueCoverage.OfTheJointModel",
-                     Printed::progress},
-                    {"false_alarms",
-                     "SEAMLINE_TRUE_STUDIES=300 tests/analysis_full_tests "
-                     "--gtest_filter=TrueCoverage.FalseSentencesOfBothModels",
-                     Printed::progress},
-                    {"papers_way", "tests/analysis_full_tests --gtest_filter=Coverage.*"}},
-          .small_steps = {{"small", "tests/analysis_quick_tests --gtest_filter=SmallCoverage.*",
-                           Printed::progress}},
-          .shown = {"true_coverage.csv", "true_sentences.csv"},
-          .figures = {{"true_coverage.csv", "intervals of 95 %, all populations, widths, artifacts",
-                       MeanCurves{.x = "people",
-                                  .y = "coverage_percent",
-                                  .curve = "way",
-                                  .x_label = "people of a study",
-                                  .y_label = "studies whose interval holds the truth, %"}}}};
-}
-
-EvidencePage joint_model_page() {
-  return {.name = "joint_model_checks",
-          .shows = "the joint model on real people, and where curves differ",
-          .takes = "1 hour",
-          .needs = tests_needed,
-          .steps = {{"sharing",
-                     "SEAMLINE_TRUE_STUDIES=200 tests/analysis_full_tests --gtest_filter=SharingCoverage.*",
-                     Printed::progress},
-                    {"real_people", "tests/analysis_quick_tests --gtest_filter=RealPeople.*:JointMaxima.*"}},
-          .small_steps = {{"real_people",
-                           "tests/analysis_quick_tests --gtest_filter=RealPeople.*:JointMaxima.*"}},
-          .shown = {"sharing_coverage.csv"}};
-}
-
-EvidencePage statistics_page() {
-  const auto step = [](const char* name, const char* filter) {
-    return EvidenceStep{name, std::string("tests/analysis_full_tests --gtest_filter=") + filter};
-  };
-  return {
-      .name = "statistics",
-      .shows = "fits, groups, comparisons, screening",
-      .takes = "20 minutes",
-      .needs = tests_needed,
-      .steps = {step("fit_intervals", "PsychometricSimulated.*"),
-                step("fit_groups", "PsychometricCoverage.*"),
-                step("guess_correction", "GuessCorrectionCoverage.*"),
-                step("ordinal_false_alarms", "OrdinalStudyFull.*"), step("screening", "ScreeningRates.*")},
-      .small_steps = {{"recovery", "tests/analysis_quick_tests --gtest_filter=PsychometricSciPy.*"}}};
-}
 
 EvidencePage stability_page() {
   return {
@@ -120,9 +17,18 @@ EvidencePage stability_page() {
       .shows = "stiff and extreme input; orders of convergence",
       .takes = "2 minutes",
       .needs = "",
-      .steps = {{"cases", "seamline lab stability --figure orders.svg --markdown", Printed::markdown}},
-      .small_steps = {{"cases", "seamline lab stability --only quest_plus --markdown", Printed::markdown}},
-      .shown = {"orders.svg"}};
+      .steps = {{"cases", "seamline lab stability --figure orders.svg --csv cases.csv", Printed::progress}},
+      .small_steps = {{"cases", "seamline lab stability --only quest_plus --csv cases.csv",
+                       Printed::progress}},
+      .shown = {"orders.svg", "cases.csv"},
+      .tables = {
+          {.file = "groups.csv",
+           .from = {{"", "cases.csv"}},
+           .heading = "group",
+           .row_of = {"group"},
+           .columns = {
+               {.heading = "cases", .of = "", .shows = Summary::rows},
+               {.heading = "passed", .of = "", .where = {{"verdict", "pass"}}, .shows = Summary::rows}}}}};
 }
 
 EvidencePage speed_page() {
@@ -137,66 +43,16 @@ EvidencePage speed_page() {
                        Printed::progress}},
       .shown = {"bench.csv"},
       .figures = {{"bench.csv", "Seamline beside bare Embree",
-                   LabelledDots{.labels = {"measurement"}, .x = "ratio", .x_label = "ratio", .wanted = 1}}}};
-}
-
-EvidencePage predictions_page() {
-  return {
-      .name = "predictions",
-      .shows = "the order in which artifacts are predicted to be seen",
-      .takes = "10 minutes",
-      .needs = "",
-      .steps = {{"render", "seamline render stimuli/depth_resolution_isolated.toml --error 0.0039 --out set",
-                 Printed::progress},
-                {"calibrated", "seamline predict set --calibrate"},
-                {"published_gain", "seamline predict set"}},
-      .small_steps = {{"render", "seamline render stimuli/quick.toml --only *-lion-* --spp 1 --out set",
-                       Printed::progress},
-                      {"published_gain", "seamline predict set"}}};
-}
-
-EvidencePage real_time_page() {
-  return {
-      .name = "real_time",
-      .shows = "frames a second, and real-time methods beside rays",
-      .takes = "5 minutes",
-      .needs = "",
-      .steps = {{"record",
-                 "seamline record builtin:bedroom --preset structured_light_640x480 --frames 3 --spp 12 --at "
-                 "0.4 1.5 -1.5 --look-at 0.1 0.5 -4.2 --angle 6 --out rates",
-                 Printed::progress},
-                {"frames",
-                 "seamline live rates --object builtin:teapot --headless --time --frames 100 --size 800x600"},
-                {"methods",
-                 "seamline lab convergence stimuli/realtime_methods.toml --only "
-                 "gazebo-all-lion-traced-0512 --parts realtime --spp 8 --out methods",
-                 Printed::progress}},
-      .small_steps = {{"methods",
-                       "seamline lab convergence stimuli/realtime_methods.toml --only "
-                       "gazebo-all-lion-traced-0512 --parts realtime --spp 2 --size 32x18 --out methods",
-                       Printed::progress}},
-      .shown = {"methods/realtime.svg", "methods/realtime.csv"}};
-}
-
-EvidencePage true_errors_page() {
-  return {
-      .name = "true_errors",
-      .shows = "told errors of pictures beside true ones",
-      .takes = "35 minutes",
-      .needs = python_needed,
-      .steps = {{"scenes", "benchmarks/true_errors/measure SEAMLINE scenes --csv told_and_true.csv"},
-                {"contact", "benchmarks/true_errors/contact SEAMLINE contact --csv contact.csv"}},
-      .small_steps = {{"scenes",
-                       "benchmarks/true_errors/measure SEAMLINE scenes --csv told_and_true.csv --only rods "
-                       "--seeds 1 --truth-spp 8 --error 0.05"},
-                      {"contact",
-                       "benchmarks/true_errors/contact SEAMLINE contact --csv contact.csv --only "
-                       "floor_overcast_linear --truth-spp 8 --error 0.05"}},
-      .shown = {"told_and_true.csv", "contact.csv"},
-      .figures = {
-          {"told_and_true.csv", "told error over true error",
-           LabelledDots{
-               .labels = {"scene", "seed"}, .x = "told_over_true", .x_label = "told / true", .wanted = 1}}}};
+                   LabelledDots{.labels = {"measurement"}, .x = "ratio", .x_label = "ratio", .wanted = 1}}},
+      .tables = {{.file = "ratios.csv",
+                  .from = {{"", "bench.csv"}},
+                  .heading = "measurement",
+                  .row_of = {"measurement"},
+                  .columns = {{.heading = "unit", .of = "unit"},
+                              {.heading = "found", .of = "found", .shows = Summary::mean, .decimals = 2},
+                              {.heading = "beside", .of = "beside", .shows = Summary::mean, .decimals = 2},
+                              {.heading = "ratio", .of = "ratio", .shows = Summary::mean, .decimals = 2},
+                              {.heading = "wanted", .of = "wanted"}}}}};
 }
 
 EvidencePage faults_page() {
@@ -206,29 +62,54 @@ EvidencePage faults_page() {
           .needs = tests_needed,
           .steps = {{"faults", "tests/seamline_faults SEAMLINE tries"},
                     {"load", "tests/seamline_faults --load SEAMLINE load"}},
-          .small_steps = {{"faults", "tests/seamline_faults --quick SEAMLINE tries"}}};
+          .small_steps = {{"faults", "tests/seamline_faults --quick SEAMLINE tries"}},
+          .printed = {{.file = "faults.csv",
+                       .step = "faults",
+                       .columns = {"fault", "tries", "committed", "lost", "reruns", "equal", "note"}},
+                      {.file = "damage.csv",
+                       .step = "faults",
+                       .columns = {"damaged log", "tries", "refused", "unnoticed", "answers", "recovered",
+                                   "without code", "changed", "nothing recovered"}},
+                      {.file = "load.csv",
+                       .step = "load",
+                       .columns = {"answers", "participants", "making, s", "analysis, s",
+                                   "s a 10,000 answers", "memory, MB"}}}};
 }
 
 EvidencePage growth_page() {
-  return {
-      .name = "growth",
-      .shows = "how time and memory of each command grow",
-      .takes = "3 hours",
-      .needs = python_needed,
-      .steps = {{"growth", "benchmarks/growth SEAMLINE work --large --markdown growth-table.md",
-                 Printed::progress}},
-      .small_steps = {{"growth", "benchmarks/growth SEAMLINE work --only slots --markdown growth-table.md",
-                       Printed::progress}},
-      .shown = {"growth-table.md"}};
+  return {.name = "growth",
+          .shows = "how time and memory of each command grow",
+          .takes = "3 hours",
+          .needs = python_needed,
+          .steps = {{"growth", "benchmarks/growth SEAMLINE work --large"}},
+          .small_steps = {{"growth", "benchmarks/growth SEAMLINE work --only nodes"}},
+          .printed = {{.file = "growth.csv",
+                       .step = "growth",
+                       .columns = {"quantity", "command", "from", "to", "time, s", "memory, MB",
+                                   "slope of time", "slope of memory"}}}};
 }
 
 EvidencePage scale_page() {
+  EvidenceTable wide{.file = "by_command.csv",
+                     .from = {{"", "scale.csv"}},
+                     .heading = "command",
+                     .row_of = {"command"},
+                     .columns = {}};
+  for (const char* stimuli : {"1200", "4800", "19920"})
+    for (const auto& [column, unit] : {std::pair{"processor s", " s"}, std::pair{"memory, MB", " MB"}})
+      wide.columns.push_back({.heading = std::string(stimuli) + " stimuli," + unit,
+                              .of = column,
+                              .where = {{"stimuli", stimuli}}});
   return {.name = "scale",
           .shows = "sets of up to 20,000 stimuli",
           .takes = "10 minutes",
           .needs = "the source, Python, a build with -DSEAMLINE_BENCHMARKS=ON",
           .steps = {{"scale", "benchmarks/scale BUILD work"}},
-          .small_steps = {{"scale", "benchmarks/scale BUILD work 240"}}};
+          .small_steps = {{"scale", "benchmarks/scale BUILD work 240"}},
+          .printed = {{.file = "scale.csv",
+                       .step = "scale",
+                       .columns = {"command", "stimuli", "processor s", "memory, MB"}}},
+          .tables = {wide}};
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <variant>
 #include <vector>
 
+#include "laboratory/evidence/evidence_table.h"
+
 namespace seamline::laboratory {
 
 // documentation/evidence/ as data: which commands remake the numbers of a page.
@@ -50,7 +52,13 @@ struct EvidencePage {
   std::vector<EvidenceStep> steps, small_steps;
   std::vector<std::string> shown = {};  ///< .svg, .csv and .md that the steps write, if they do
   std::vector<EvidenceFigure> figures = {};
+  std::vector<PrintedTable> printed = {};
+  std::vector<EvidenceTable> tables = {};  ///< after the printed ones, which they may be made from
 };
+
+/// What pages need besides an installed program.
+inline constexpr const char* tests_needed = "a build with its tests: cmake --build build/release";
+inline constexpr const char* python_needed = "the source, Python";
 
 /// All that can be remade, in the order in which it is listed.
 [[nodiscard]] std::span<const EvidencePage> evidence_pages();

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "laboratory/evidence/evidence_table.h"
 #include "support/files/atomic_file.h"
-#include "support/text/csv_read.h"
 
 namespace seamline::laboratory {
 namespace {
@@ -12,20 +14,11 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t most_rows_shown = 40;
 
-std::string table_line(const std::vector<std::string>& cells) {
-  return fmt::format("| {} |\n", fmt::join(cells, " | "));
-}
-
 std::string shown_table(const std::string& name, const fs::path& file) {
-  const std::string text = read_file(file);
-  const std::vector<std::string> columns = read_csv_header(file.string(), text).names;
-  std::string lines;
-  std::size_t rows = 0;
-  read_csv(file.string(), text, columns, [&](const CsvRow& row) {
-    if (++rows <= most_rows_shown) lines += table_line(row.values);
-  });
-  if (rows > most_rows_shown) return fmt::format("{} rows: [{}]({})\n\n", rows, name, name);
-  return table_line(columns) + table_line(std::vector<std::string>(columns.size(), "---")) + lines + "\n";
+  const TextTable table = read_table(file);
+  if (table.rows.size() > most_rows_shown)
+    return fmt::format("{} rows: [{}]({})\n\n", table.rows.size(), name, name);
+  return markdown_of(table) + "\n";
 }
 
 std::string shown_file(const std::string& name, const fs::path& folder) {
@@ -43,7 +36,25 @@ std::string shown_output(const StepRecord& record) {
   return heading + "```text\n" + record.printed + (record.printed.ends_with('\n') ? "" : "\n") + "```\n\n";
 }
 
+/// What a table is computed from is not shown beside it.
+bool is_source(const EvidencePage& page, const std::string& name) {
+  return std::any_of(page.tables.begin(), page.tables.end(), [&](const EvidenceTable& table) {
+    return std::any_of(table.from.begin(), table.from.end(),
+                       [&](const TableSource& source) { return source.file == name; });
+  });
+}
+
 }  // namespace
+
+std::vector<std::string> shown_files(const EvidencePage& page) {
+  std::vector<std::string> files;
+  for (const EvidenceTable& table : page.tables) files.push_back(table.file);
+  for (const PrintedTable& table : page.printed) files.push_back(table.file);
+  for (const EvidenceFigure& figure : page.figures)
+    files.push_back(fs::path(figure.table).replace_extension(".svg").string());
+  files.insert(files.end(), page.shown.begin(), page.shown.end());
+  return files;
+}
 
 std::string remade_page(const EvidencePage& page, bool small, const std::vector<StepRecord>& records,
                         const fs::path& folder) {
@@ -53,10 +64,9 @@ std::string remade_page(const EvidencePage& page, bool small, const std::vector<
   text += small ? "This is the small form. It shows that the page can be remade; its numbers are rough.\n\n"
                 : fmt::format("It takes about {} on two cores.\n\n", page.takes);
   std::error_code error;
-  std::vector<std::string> shown;
-  for (const EvidenceFigure& figure : page.figures)
-    shown.push_back(fs::path(figure.table).replace_extension(".svg").string());
-  shown.insert(shown.end(), page.shown.begin(), page.shown.end());
+  std::vector<std::string> shown = shown_files(page);
+  std::erase_if(shown,
+                [&](const std::string& name) { return name.ends_with(".csv") && is_source(page, name); });
   for (const std::string& name : shown)
     if (fs::exists(folder / name, error)) text += shown_file(name, folder);
   for (const StepRecord& record : records) text += shown_output(record);

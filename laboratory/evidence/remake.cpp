@@ -1,13 +1,17 @@
 #include "laboratory/evidence/remake.h"
 
 #include <fmt/core.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
-#include <cctype>
+#include <algorithm>
+#include <chrono>
 #include <sstream>
 #include <thread>
 
 #include "laboratory/evidence/evidence_figure.h"
+#include "laboratory/evidence/evidence_table.h"
+#include "laboratory/evidence/marked_page.h"
 #include "laboratory/evidence/remade_page.h"
 #include "support/files/assets.h"
 #include "support/files/atomic_file.h"
@@ -73,6 +77,37 @@ const std::vector<EvidenceStep>& steps_of(const EvidencePage& page, bool small) 
   return small ? page.small_steps : page.steps;
 }
 
+/// Processor seconds of all children that have ended.
+double children_processor_s() {
+  rusage used{};
+  getrusage(RUSAGE_CHILDREN, &used);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(used.ru_utime) + seconds(used.ru_stime);
+}
+
+std::string today() {
+  const std::chrono::year_month_day day{
+      std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now())};
+  return fmt::format("{}-{:02}-{:02}", static_cast<int>(day.year()), static_cast<unsigned>(day.month()),
+                     static_cast<unsigned>(day.day()));
+}
+
+/// Notes in made.csv that the step was run now.
+void note_made(const fs::path& folder, const std::string& step, double processor_s) {
+  const fs::path file = folder / "made.csv";
+  std::vector<MadeStep> steps = read_made(file);
+  std::erase_if(steps, [&](const MadeStep& made) { return made.step == step; });
+  steps.push_back({.step = step,
+                   .date = today(),
+                   .seamline = program_version(),
+                   .processor = processor_name(),
+                   .threads = std::to_string(std::thread::hardware_concurrency()),
+                   .processor_s = processor_s});
+  write_file_atomically(file, made_csv(steps));
+}
+
 /// What the step printed; run now unless NAME.txt begins with the line that this run would write.
 StepRecord step_record(const EvidencePage& page, const EvidenceStep& step, const fs::path& folder) {
   const fs::path file = folder / (step.name + ".txt");
@@ -89,6 +124,7 @@ StepRecord step_record(const EvidencePage& page, const EvidenceStep& step, const
   fmt::print(stderr, "evidence {}: {}\n", page.name, step.command);
   ChildProcess child{.command = command.words, .environment = command.variables, .folder = folder};
   child.environment.push_back("SEAMLINE_EVIDENCE_FOLDER=" + folder.string());
+  const double before_s = children_processor_s();
   const std::optional<ChildResult> run = run_child(child);
   stop_if_interrupted();
   if (run && run->status == status_not_here) return {step, "left out: " + run->output};
@@ -100,7 +136,41 @@ StepRecord step_record(const EvidencePage& page, const EvidenceStep& step, const
                        .found = run ? fmt::format("exit status {}", run->status) : "no such program"});
   }
   write_file_atomically(file, first_line + run->output);
+  note_made(folder, step.name, children_processor_s() - before_s);
   return {step, run->output};
+}
+
+/// Tables of which not all sources are there (a small form has made some) are left out.
+void write_computed_tables(const EvidencePage& page, const fs::path& folder) {
+  for (const EvidenceTable& table : page.tables)
+    if (std::all_of(table.from.begin(), table.from.end(), [&](const TableSource& source) {
+          std::error_code error;
+          return fs::exists(folder / source.file, error);
+        }))
+      write_file_atomically(folder / table.file, csv_of(summarised(table, folder)));
+}
+
+void write_printed_tables(const EvidencePage& page, const std::vector<StepRecord>& records,
+                          const fs::path& folder) {
+  for (const PrintedTable& table : page.printed)
+    for (const StepRecord& record : records)
+      if (record.step.name == table.step)
+        if (const TextTable made = printed_table(table, record.printed); !made.rows.empty())
+          write_file_atomically(folder / table.file, csv_of(made));
+}
+
+/// Brings what a page shows, and what that is computed from, into the folder beside the page.
+void bring_beside_page(const EvidencePage& page, const fs::path& from, const fs::path& to) {
+  std::vector<std::string> files = shown_files(page);
+  files.emplace_back("made.csv");
+  for (const EvidenceTable& table : page.tables)
+    for (const TableSource& source : table.from) files.push_back(source.file);
+  std::error_code error;
+  for (const std::string& file : files) {
+    if (!fs::exists(from / file, error)) continue;
+    prepare_output_folder((to / file).parent_path());
+    write_file_atomically(to / file, read_file(from / file));
+  }
 }
 
 }  // namespace
@@ -130,8 +200,22 @@ fs::path remake_evidence(const EvidencePage& page, const RemakeOptions& options)
   std::error_code error;
   for (const EvidenceFigure& figure : page.figures)
     if (fs::exists(folder / figure.table, error)) draw_evidence(folder, figure);
+  write_printed_tables(page, records, folder);
+  write_computed_tables(page, folder);
+  if (!options.pages.empty()) {
+    bring_beside_page(page, folder, options.pages / page.name);
+    return renew_evidence(page, options.pages);
+  }
   const fs::path file = options.out / page.name / (page.name + ".md");
   write_file_atomically(file, remade_page(page, options.small, records, folder));
+  return file;
+}
+
+fs::path renew_evidence(const EvidencePage& page, const fs::path& pages) {
+  const fs::path file = pages / (page.name + ".md");
+  const std::string text = read_file(file);
+  write_computed_tables(page, pages / page.name);
+  write_file_atomically(file, with_marked_parts(text, page.name, pages));
   return file;
 }
 

@@ -110,6 +110,26 @@ std::string outcomes_json(const std::vector<CaseOutcome>& outcomes) {
   return report.dump(2) + "\n";
 }
 
+CsvTable outcomes_table(const std::vector<CaseOutcome>& outcomes) {
+  CsvTable table{.name = "cases",
+                 .columns = {{"group", "", ""},
+                             {"case", "", ""},
+                             {"tried", "", ""},
+                             {"expected", "", ""},
+                             {"found", "", ""},
+                             {"error", "", ""},
+                             {"tolerance", "", ""},
+                             {"unit", "", ""},
+                             {"where_the_tolerance_comes_from", "", ""},
+                             {"verdict", "", ""}},
+                 .rows = {}};
+  for (const CaseOutcome& outcome : outcomes)
+    table.rows.push_back({outcome.of.group, outcome.of.name, outcome.of.tried, outcome.of.expected,
+                          outcome.finding.found, number(outcome.finding.error), number(outcome.of.tolerance),
+                          outcome.of.unit, outcome.of.reason, std::string(outcome.passed ? "pass" : "FAIL")});
+  return table;
+}
+
 std::string outcomes_markdown(const std::vector<CaseOutcome>& outcomes) {
   std::string text;
   for (std::size_t first = 0; first < outcomes.size();) {

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "laboratory/stability/common/stability_case.h"
+#include "support/text/csv.h"
 
 namespace seamline::stability {
 
@@ -29,7 +30,9 @@ struct CaseOutcome {
 [[nodiscard]] std::string outcome_line(const CaseOutcome& outcome);
 /// `seamline lab stability --json`: format, version, and an entry a case.
 [[nodiscard]] std::string outcomes_json(const std::vector<CaseOutcome>& outcomes);
-/// The table of documentation/evidence/stability.md: a Markdown table a group.
+/// A row a case, with its group (documentation/evidence/stability/cases.csv).
+[[nodiscard]] CsvTable outcomes_table(const std::vector<CaseOutcome>& outcomes);
+/// A Markdown table a group.
 [[nodiscard]] std::string outcomes_markdown(const std::vector<CaseOutcome>& outcomes);
 
 }  // namespace seamline::stability

@@ -35,7 +35,7 @@ TEST(TrueCoverage, FalseSentencesOfBothModels) {
 }
 
 TEST(TrueCoverage, OfTheHalvesOfTheSession) {
-  test::write_halves(test::evidence_file("true_halves.csv"), true_studies(300));
+  test::write_halves(test::evidence_file("halves.csv"), true_studies(300));
 }
 
 }  // namespace

@@ -151,15 +151,22 @@ TEST(Documentation, EveryOptionIsOneOfItsCommandOrOfSomeCommand) {
   EXPECT_GE(options_read, 100);
 }
 
-/// As `wc -w` counts them.
+/// Words of a page; bars and rules of tables are none, nor are the marks of what a command writes.
 std::size_t words_of_page(const ManualPage& page) {
-  return test::words_of(test::read_text(page.file)).size();
+  const std::string text = std::regex_replace(test::read_text(page.file), std::regex("<!--[^\n]*-->"), "");
+  const std::vector<std::string> words = test::words_of(text);
+  return static_cast<std::size_t>(std::count_if(words.begin(), words.end(), [](const std::string& word) {
+    return std::any_of(word.begin(), word.end(), [](char letter) {
+      const auto byte = static_cast<unsigned char>(letter);
+      return std::isalnum(byte) != 0 || byte >= 128;
+    });
+  }));
 }
 
 TEST(Documentation, IsShortEnoughToBeRead) {
   // What is looked up (reference), what only the papers' readers need, and what developers read is not
   // counted.
-  constexpr std::size_t most_words_of_page = 1200, most_words = 40'000;
+  constexpr std::size_t most_words_of_page = 1200, most_words = 36'500;  // 40,000 with bars of tables
   const std::regex read_through("documentation/(tutorials|how-to|explanation|evidence)/.*");
   std::size_t words = 0;
   for (const auto& [name, page] : pages()) {

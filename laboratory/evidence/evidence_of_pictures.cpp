@@ -1,0 +1,206 @@
+#include "laboratory/evidence/evidence_of_pictures.h"
+
+#include <tuple>
+#include <utility>
+
+namespace seamline::laboratory {
+namespace {
+
+const std::vector<std::string> convergence_artifacts = {"receiver", "shadow", "occlusion", "overlap"};
+
+/// A table of the four artifacts, a row each, from one table of each.
+EvidenceTable of_artifacts(const std::string& file, const std::string& table,
+                           std::vector<SummaryColumn> columns) {
+  EvidenceTable made{
+      .file = file, .from = {}, .heading = "artifact", .row_of = {}, .columns = std::move(columns)};
+  for (const std::string& artifact : convergence_artifacts)
+    made.from.push_back({artifact, artifact + "/" + table});
+  return made;
+}
+
+SummaryColumn one_number(const std::string& heading, const std::string& of, RowFilter where, int decimals) {
+  return {
+      .heading = heading, .of = of, .where = std::move(where), .shows = Summary::mean, .decimals = decimals};
+}
+
+/// Errors at four samples a pixel of every way to get light with and without the object.
+EvidenceTable errors_of_ways() {
+  std::vector<SummaryColumn> columns;
+  for (const auto& [error, where] : {std::pair{"rmse", ""}, std::pair{"rmse_given", "given photograph: "}})
+    for (const auto& [series, way] :
+         {std::pair{"path coupled", "coupled"}, std::pair{"path independent", "independent"},
+          std::pair{"fast", "fast"}})
+      columns.push_back(one_number(std::string(where) + way, error, {{"series", series}, {"spp", "4"}}, 4));
+  return of_artifacts("errors.csv", "samples.csv", columns);
+}
+
+EvidenceTable errors_of_meshes() {
+  const RowFilter usual = {{"tolerance", "0.0001"}};
+  return of_artifacts(
+      "meshes.csv", "mesh.csv",
+      {one_number("triangles", "triangles", usual, 0),
+       one_number("of the full mesh", "triangles", {{"tolerance", ""}}, 0),
+       one_number("error", "rmse", usual, 5),
+       one_number("share of pixels that change by more than a step", "changed_share", usual, 5),
+       one_number("largest change, steps", "largest_change", usual, 0)});
+}
+
+EvidenceTable errors_of_widths() {
+  std::vector<SummaryColumn> columns;
+  for (const char* width : {"64", "512", "4096"})
+    columns.push_back(one_number(std::string("W = ") + width, "rmse", {{"width", width}}, 4));
+  return of_artifacts("widths.csv", "width.csv", columns);
+}
+
+EvidenceTable errors_of_compositing() {
+  std::vector<SummaryColumn> columns;
+  for (const auto& [column, heading, decimals] :
+       {std::tuple{"rmse", "error", 4}, std::tuple{"below_black", "share of pixels under black", 5}})
+    for (const char* way : {"ratio", "additive"})
+      columns.push_back(one_number(std::string(way) + ": " + heading, column,
+                                   {{"compositing", way}, {"renders", "coupled"}}, decimals));
+  return of_artifacts("compositing.csv", "compositing.csv", columns);
+}
+
+EvidenceTable errors_of_light_samples() {
+  EvidenceTable table{
+      .file = "light.csv",
+      .from = {{"map of a room", "light-interior/light.csv"}, {"sky map with a sun", "light-sky/light.csv"}},
+      .heading = "map",
+      .row_of = {},
+      .columns = {},
+      .where = {{"light", "environment map"}, {"spp", "64"}, {"rays", "1"}}};
+  for (const auto& [strategy, heading] :
+       {std::pair{"map", "by the map alone"}, std::pair{"cosine", "by the surface alone"},
+        std::pair{"both", "by both"}})
+    table.columns.push_back(one_number(heading, "error", {{"strategy", strategy}}, 3));
+  return table;
+}
+
+}  // namespace
+
+EvidencePage convergence_page() {
+  const auto step = [](const char* name, const char* stimulus) {
+    return EvidenceStep{
+        name,
+        std::string("seamline lab convergence stimuli/depth_resolution_isolated.toml --only ") + stimulus +
+            "-0512 --size 480x270 --spp 64 --seconds 240 --out " + name,
+        Printed::progress};
+  };
+  const auto light = [](const char* name, const char* study, const char* stimulus) {
+    return EvidenceStep{name,
+                        std::string("seamline lab convergence stimuli/") + study + ".toml --only " +
+                            stimulus + "-0064 --size 64x36 --spp 64 --seconds 60 --parts light --out " + name,
+                        Printed::progress};
+  };
+  EvidencePage page{.name = "convergence",
+                    .shows = "error of a picture against run time, mesh tolerance and depth width",
+                    .takes = "40 minutes",
+                    .needs = "",
+                    .steps = {},
+                    .small_steps = {}};
+  page.steps = {step("receiver", "bedroom-receiver-statue"),
+                step("shadow", "gazebo-shadow-lion"),
+                step("occlusion", "atrium-occlusion-teapot_middle"),
+                step("overlap", "gazebo-overlap-lion"),
+                light("light-interior", "environment_light", "gazebo-shadow-lion-interior"),
+                light("light-sky", "environment_light", "gazebo-shadow-lion-sky"),
+                {"estimates",
+                 "seamline lab convergence stimuli/quick.toml --only bedroom-receiver-statue-0064 --parts "
+                 "sensor,repair,registration,fit,joint,interval --out estimates",
+                 Printed::progress}};
+  page.small_steps = {
+      {"estimates",
+       "seamline lab convergence stimuli/quick.toml --only bedroom-receiver-statue-0064 --size "
+       "32x18 --parts sensor,repair --out estimates",
+       Printed::progress}};
+  for (const EvidenceStep& one : page.steps) {
+    for (const char* figure : {"samples", "mesh", "width", "light", "sensor", "repair", "registration", "fit",
+                               "joint", "interval"})
+      page.shown.push_back(one.name + "/" + figure + ".svg");
+    page.shown.push_back(one.name + "/slopes.csv");
+  }
+  page.tables = {errors_of_ways(), errors_of_meshes(), errors_of_widths(), errors_of_compositing(),
+                 errors_of_light_samples()};
+  return page;
+}
+
+EvidencePage predictions_page() {
+  return {
+      .name = "predictions",
+      .shows = "the order in which artifacts are predicted to be seen",
+      .takes = "10 minutes",
+      .needs = "",
+      .steps = {{"render", "seamline render stimuli/depth_resolution_isolated.toml --error 0.0039 --out set",
+                 Printed::progress},
+                {"calibrated", "seamline predict set --calibrate"},
+                {"published_gain", "seamline predict set"}},
+      .small_steps = {{"render", "seamline render stimuli/quick.toml --only *-lion-* --spp 1 --out set",
+                       Printed::progress},
+                      {"published_gain", "seamline predict set"}}};
+}
+
+EvidencePage real_time_page() {
+  return {
+      .name = "real_time",
+      .shows = "frames a second, and real-time methods beside rays",
+      .takes = "5 minutes",
+      .needs = "",
+      .steps = {{"record",
+                 "seamline record builtin:bedroom --preset structured_light_640x480 --frames 3 --spp 12 --at "
+                 "0.4 1.5 -1.5 --look-at 0.1 0.5 -4.2 --angle 6 --out rates",
+                 Printed::progress},
+                {"frames",
+                 "seamline live rates --object builtin:teapot --headless --time --frames 100 --size 800x600"},
+                {"methods",
+                 "seamline lab convergence stimuli/realtime_methods.toml --only "
+                 "gazebo-all-lion-traced-0512 --parts realtime --spp 8 --out methods",
+                 Printed::progress}},
+      .small_steps = {{"methods",
+                       "seamline lab convergence stimuli/realtime_methods.toml --only "
+                       "gazebo-all-lion-traced-0512 --parts realtime --spp 2 --size 32x18 --out methods",
+                       Printed::progress}},
+      .shown = {"methods/realtime.svg"},
+      .tables = {
+          {.file = "by_method.csv",
+           .from = {{"", "methods/realtime.csv"}},
+           .heading = "method",
+           .row_of = {"method"},
+           .columns = {{.heading = "settings", .of = "", .shows = Summary::rows},
+                       {.heading = "error", .of = "error", .shows = Summary::range, .decimals = 4},
+                       {.heading = "frame, s", .of = "frame_s", .shows = Summary::range, .decimals = 2}}}}};
+}
+
+EvidencePage true_errors_page() {
+  return {
+      .name = "true_errors",
+      .shows = "told errors of pictures beside true ones",
+      .takes = "35 minutes",
+      .needs = python_needed,
+      .steps = {{"scenes", "benchmarks/true_errors/measure SEAMLINE scenes --csv told_and_true.csv"},
+                {"contact", "benchmarks/true_errors/contact SEAMLINE contact --csv contact.csv"}},
+      .small_steps = {{"scenes",
+                       "benchmarks/true_errors/measure SEAMLINE scenes --csv told_and_true.csv --only rods "
+                       "--seeds 1 --truth-spp 8 --error 0.05"},
+                      {"contact",
+                       "benchmarks/true_errors/contact SEAMLINE contact --csv contact.csv --only "
+                       "floor_overcast_linear --truth-spp 8 --error 0.05"}},
+      .shown = {"told_and_true.csv", "contact.csv"},
+      .figures = {{"told_and_true.csv", "told error over true error",
+                   LabelledDots{.labels = {"scene", "seed"},
+                                .x = "told_over_true",
+                                .x_label = "told / true",
+                                .wanted = 1}}},
+      .tables = {
+          {.file = "by_kind.csv",
+           .from = {{"", "told_and_true.csv"}},
+           .heading = "scenes",
+           .row_of = {"kind"},
+           .columns = {
+               {.heading = "pictures", .of = "", .shows = Summary::rows},
+               {.heading = "told / true", .of = "told_over_true", .shows = Summary::range, .decimals = 2},
+               {.heading = "told", .of = "told", .shows = Summary::range, .decimals = 4},
+               {.heading = "true", .of = "true", .shows = Summary::range, .decimals = 4}}}}};
+}
+
+}  // namespace seamline::laboratory
