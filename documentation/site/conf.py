@@ -11,6 +11,7 @@ myst_heading_anchors = 4
 myst_enable_extensions = ["html_image"]
 root_doc = "index"
 highlight_language = "none"  # what commands print is not code
+smartquotes = False  # two hyphens are an option
 html_theme = "furo"
 html_title = "Seamline"
 html_static_path = [os.path.join(os.path.dirname(__file__), "static")]
@@ -24,11 +25,13 @@ pygments_dark_style = "monokai"
 
 
 def whole_options(app, page, template, context, doctree):
-    """A browser may break a line after each hyphen; an option of a command stays whole, and so does 5 %."""
+    """A browser may break a line after each hyphen; an option of a command stays whole, and so do 5 %, a date and a short cell of a table."""
     def block(match):
         return re.sub(r"(?<![\w-])(--?[A-Za-z][\w-]*)", r'<span class="option">\1</span>', match[0])
     body = re.sub(r"<pre>.*?</pre>", block, context.get("body", ""), flags=re.S)
     body = re.sub(r'<span class="pre">(--[\w-]+)</span>', r'<span class="pre option">\1</span>', body)
+    body = re.sub(r"(?<=[ (>])(20\d\d-\d\d-\d\d)\b", r'<span class="whole">\1</span>', body)
+    body = re.sub(r"(<td[^>]*>)<p>([^<]{1,16})</p>", r'\1<p class="whole">\2</p>', body)
     context["body"] = re.sub(r"(?<=\d) %", "\u00a0%", body)
 
 

@@ -25,8 +25,22 @@ std::string csv_cell(const std::string& text) {
   return quoted + "\"";
 }
 
+/// Whole numbers of five digits or more with commas between thousands.
+std::string readable_cell(const std::string& cell) {
+  constexpr std::size_t short_number = 4, thousand = 3;
+  if (cell.size() <= short_number || cell.find_first_not_of("0123456789") != std::string::npos) return cell;
+  std::string grouped;
+  for (std::size_t i = 0; i < cell.size(); ++i) {
+    if (i > 0 && (cell.size() - i) % thousand == 0) grouped += ',';
+    grouped += cell[i];
+  }
+  return grouped;
+}
+
 std::string markdown_line(const std::vector<std::string>& cells) {
-  return fmt::format("| {} |\n", fmt::join(cells, " | "));
+  std::string line = "|";
+  for (const std::string& cell : cells) line += " " + readable_cell(cell) + " |";
+  return line + "\n";
 }
 
 bool holds_numbers(const TextTable& table, std::size_t column) {

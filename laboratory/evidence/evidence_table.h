@@ -20,7 +20,7 @@ struct TextTable {
 /// RFC 4180, cells as they are.
 [[nodiscard]] std::string csv_of(const TextTable& table);
 
-/// Markdown; columns of numbers stand to the right.
+/// Markdown; columns of numbers stand to the right, large whole numbers have commas.
 [[nodiscard]] std::string markdown_of(const TextTable& table);
 
 /// The rows whose columns hold these values.

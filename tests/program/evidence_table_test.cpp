@@ -46,8 +46,8 @@ TEST(EvidenceTable, SummarisesRowsByTheirValues) {
   EXPECT_THAT(made.columns, ElementsAre("people", "joint", "range", "lines", "rows"));
   EXPECT_EQ(made.rows,
             (Rows{{"5", "94.5 (93)", "93 to 96", "80", "3"}, {"10", "95.5 (96)", "96", "–", "2"}}));
-  EXPECT_EQ(markdown_of({.columns = {"a", "b"}, .rows = {{"x", "1"}, {"y", "–"}}}),
-            "| a | b |\n| --- | ---: |\n| x | 1 |\n| y | – |\n");
+  EXPECT_EQ(markdown_of({.columns = {"a", "b"}, .rows = {{"x", "12345"}, {"y", "–"}}}),
+            "| a | b |\n| --- | ---: |\n| x | 12,345 |\n| y | – |\n");
 }
 
 TEST(EvidenceTable, ACellThatStandsForTwoTextsIsRefused) {
