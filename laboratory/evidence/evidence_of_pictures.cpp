@@ -156,10 +156,13 @@ EvidencePage real_time_page() {
                  "seamline lab convergence stimuli/realtime_methods.toml --only "
                  "gazebo-all-lion-traced-0512 --parts realtime --spp 8 --out methods",
                  Printed::progress}},
-      .small_steps = {{"methods",
-                       "seamline lab convergence stimuli/realtime_methods.toml --only "
-                       "gazebo-all-lion-traced-0512 --parts realtime --spp 2 --size 32x18 --out methods",
-                       Printed::progress}},
+      .small_steps =
+          {{"record",
+            "seamline record builtin:bedroom --preset tof_160x120 --frames 2 --spp 1 --at 0.4 1.5 -1.5 "
+            "--look-at 0.1 0.5 -4.2 --angle 6 --out rates",
+            Printed::progress},
+           {"frames",
+            "seamline live rates --object builtin:teapot --headless --time --frames 3 --size 160x120"}},
       .shown = {"methods/realtime.svg"},
       .tables = {
           {.file = "by_method.csv",

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "laboratory/evidence/evidence_figure.h"
 #include "run_program.h"
 
@@ -35,7 +37,8 @@ TEST(Evidence, ASmallPageSaysByWhomAndHowItWasMade) {
   const std::string page = read_text(out / "stability/stability.md");
   EXPECT_THAT(page, HasSubstr("Made by seamline "));
   EXPECT_THAT(page, HasSubstr("\nseamline lab evidence stability --small\n"));
-  EXPECT_THAT(page, HasSubstr("| `order-of-answers`"));
+  EXPECT_THAT(page, HasSubstr("| quest_plus | 7 | 7 |"));
+  EXPECT_THAT(read_text(out / "stability/made.csv"), HasSubstr("\ncases,20"));
   const test::Outcome again = test::run_built(remade("stability", out));
   EXPECT_EQ(again.status, 0) << again.output;
   EXPECT_THAT(again.output, HasSubstr("cases, made before"));
@@ -60,6 +63,74 @@ TEST(Evidence, CurvesGoThroughTheMeansOfATable) {
   EXPECT_THAT(script, HasSubstr("5 95\n10 93\n"));
   EXPECT_THAT(script, HasSubstr("\n5 90\nEOD"));
   EXPECT_THAT(read_text(out / "true_coverage.svg"), HasSubstr("</svg>"));
+}
+
+TEST(Evidence, PagesAreRenewedFromTheTablesBesideThem) {
+  const fs::path pages = test::fresh_folder("evidence-pages");
+  test::write_text(
+      pages / "stability.md",
+      "# One\n\n<!-- stability/groups.csv -->\nold\n\n<!-- stability/made.csv -->\nold\n\nEnd\n");
+  const std::string command = "lab evidence stability --tables --pages " + pages.string();
+  const test::Outcome missing = test::run_seamline(command);
+  EXPECT_EQ(missing.status, 1);
+  EXPECT_THAT(missing.output, HasSubstr("groups.csv: wanted a readable file"));
+  test::write_text(pages / "stability/cases.csv", "group,verdict\nlight,pass\nlight,FAIL\nspace,pass\n");
+  test::write_text(pages / "stability/made.csv",
+                   "step,date,seamline,processor,threads,processor_s\ncases,2026-11-27,1.0.0,CPU,2,150\n");
+  const test::Outcome renewed = test::run_seamline(command);
+  EXPECT_EQ(renewed.status, 0) << renewed.output;
+  EXPECT_EQ(
+      read_text(pages / "stability.md"),
+      "# One\n\n<!-- stability/groups.csv -->\n| group | cases | passed |\n| --- | ---: | ---: |\n| light | 2 "
+      "| 1 |\n| space | 1 | 1 |\n\n<!-- stability/made.csv -->\nMade by `seamline lab evidence stability`: "
+      "seamline 1.0.0 on CPU, 2 threads (2026-11-27), 2 minutes of processor time.\n\nEnd\n");
+  EXPECT_THAT(test::run_seamline("lab evidence stability --tables").output, HasSubstr("--pages"));
+}
+
+/// What a filter of steps names: "Suite" of "Suite.*" and of "Suite.OneTest".
+std::vector<std::string> suites_of(const std::string& command) {
+  const std::size_t at = command.find("--gtest_filter=");
+  std::vector<std::string> suites;
+  if (at == std::string::npos) return suites;
+  std::istringstream patterns(command.substr(at + std::string("--gtest_filter=").size()));
+  for (std::string pattern; std::getline(patterns, pattern, ':');)
+    if (!pattern.starts_with('-')) suites.push_back(pattern.substr(0, pattern.find('.')));
+  return suites;
+}
+
+TEST(Evidence, EveryTestThatAStepNamesIsThere) {
+  std::string tests;
+  for (const auto& entry : fs::directory_iterator(fs::path(SEAMLINE_SOURCE_DIR) / "tests/analysis"))
+    if (entry.path().extension() == ".cpp") tests += read_text(entry.path());
+  for (const laboratory::EvidencePage& page : laboratory::evidence_pages())
+    for (const auto* steps : {&page.steps, &page.small_steps})
+      for (const laboratory::EvidenceStep& step : *steps)
+        for (const std::string& suite : suites_of(step.command))
+          EXPECT_THAT(tests, HasSubstr("TEST(" + suite + ", ")) << page.name;
+}
+
+void expect_small_form(const std::string& page) {
+  const fs::path out = test::fresh_folder("evidence-" + page);
+  const test::Outcome outcome = test::run_built(remade(page, out));
+  ASSERT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_THAT(read_text(out / page / (page + ".md")), HasSubstr("This is the small form."));
+}
+
+// The other pages' small forms are tests of CI themselves, or need what it has not (scale: benchmarks).
+TEST(SmallForms, OfConvergenceEnds) {
+  expect_small_form("convergence");
+}
+TEST(SmallForms, OfPredictionsEnds) {
+  expect_small_form("predictions");
+}
+TEST(SmallForms, OfRealTimeEnds) {
+  expect_small_form("real_time");
+}
+TEST(SmallForms, OfTrueErrorsEnds) {
+  expect_small_form("true_errors");
+}
+TEST(SmallForms, OfGrowthEnds) {
+  expect_small_form("growth");
 }
 
 TEST(Evidence, APageThatIsNotThereIsNamed) {
