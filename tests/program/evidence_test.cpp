@@ -74,6 +74,7 @@ TEST(Evidence, PagesAreRenewedFromTheTablesBesideThem) {
   const test::Outcome missing = test::run_seamline(command);
   EXPECT_EQ(missing.status, 1);
   EXPECT_THAT(missing.output, HasSubstr("groups.csv: wanted a readable file"));
+  fs::create_directories(pages / "stability");
   test::write_text(pages / "stability/cases.csv", "group,verdict\nlight,pass\nlight,FAIL\nspace,pass\n");
   test::write_text(pages / "stability/made.csv",
                    "step,date,seamline,processor,threads,processor_s\ncases,2026-11-27,1.0.0,CPU,2,150\n");
