@@ -51,7 +51,7 @@ struct EvidenceTable {
   std::vector<SummaryColumn> columns;
   RowFilter where = {};
   RowFilter but_not = {};  ///< rows that hold one of these are left out
-  bool to_comma = false;  ///< a row's name ends before its first comma
+  bool to_comma = false;   ///< a row's name ends before its first comma
 };
 
 /// Computes the table from the files in `folder`; rows are in the order of their first appearance, a cell

@@ -25,6 +25,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string nearest_word(std::string_view typed, std::span<const std::string> known) {
+  constexpr std::size_t telling_letters = 5;  // fewer are in many words
   std::string best;
   std::size_t best_distance = std::max<std::size_t>(2, typed.size() / 2);
   for (const std::string& word : known) {
@@ -34,6 +35,9 @@ std::string nearest_word(std::string_view typed, std::span<const std::string> kn
       best_distance = distance;
     }
   }
+  if (best.empty() && typed.size() >= telling_letters)
+    for (const std::string& word : known)
+      if (word.find(typed) != std::string::npos) return word;
   return best;
 }
 

@@ -180,6 +180,9 @@ TEST(Suggest, NearestWordOrNone) {
   EXPECT_EQ(nearest_word("exposure", known), "exposure_ev");
   EXPECT_EQ(nearest_word("albdo", known), "albedo");
   EXPECT_EQ(nearest_word("xyzzy_zyx", known), "");
+  const std::vector<std::string> camera = {"position_m", "look_at_m", "horizontal_fov_deg"};
+  EXPECT_EQ(nearest_word("fov_deg", camera), "horizontal_fov_deg");
+  EXPECT_EQ(nearest_word("_m", camera), "");
 }
 
 TEST(Progress, DurationsReadWell) {
