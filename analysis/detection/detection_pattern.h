@@ -51,6 +51,9 @@ struct DetectionThresholds {
 /// HDR-VDP-2 was made with.
 [[nodiscard]] const DetectionThresholds& hdr_vdp_thresholds();
 
+/// Grey discs of three sizes at 2, 20 and 200 cd/m2: patterns whose difference lies at an edge, as a seam's.
+[[nodiscard]] const DetectionThresholds& disc_thresholds();
+
 /// The pattern as contrast, luminance / mean - 1 at contrast 1: one channel, -1 to 1.
 [[nodiscard]] Image pattern_contrast(const DetectionPattern& pattern);
 

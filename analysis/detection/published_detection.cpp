@@ -128,6 +128,32 @@ constexpr std::array hdr_vdp_patterns = {
     hdr_vdp_pattern(41, 150, 8, 1.5, 44.96),     hdr_vdp_pattern(42, 150, 16, 1.5, 31.82),
 };
 
+/// The field is 256 px wide: 2.1 degrees, 4 for the largest disc.
+constexpr DetectionPattern disc_pattern(int number, double luminance_cdm2, double radius_deg,
+                                        double threshold_db, double people_sd_db) {
+  return {.number = number,
+          .name = "disc",
+          .kind = PatternKind::disk,
+          .frequency_cpd = 0,
+          .sigma_x_deg = radius_deg,
+          .sigma_y_deg = 0,
+          .angle_deg = 0,
+          .other = 0,
+          .threshold_db = threshold_db,
+          .people_sd_db = people_sd_db,
+          .mean_luminance_cdm2 = luminance_cdm2,
+          .pixels_per_degree = radius_deg < 1 ? 120.0 : 64.0,
+          .side_px = 256};
+}
+
+constexpr std::array disc_patterns = {
+    disc_pattern(1, 2, 1.0 / 12, 32.42, 3.74),   disc_pattern(2, 2, 0.25, 34.41, 3.54),
+    disc_pattern(3, 2, 1, 35.82, 3.27),          disc_pattern(4, 20, 1.0 / 12, 36.29, 2.31),
+    disc_pattern(5, 20, 0.25, 38.19, 1.16),      disc_pattern(6, 20, 1, 38.65, 1.12),
+    disc_pattern(7, 200, 1.0 / 12, 38.84, 3.04), disc_pattern(8, 200, 0.25, 39.48, 1.89),
+    disc_pattern(9, 200, 1, 41.01, 1.94),
+};
+
 constexpr DetectionThresholds modelfest = {
     .name = "ModelFest",
     .source = "Carney et al. 1999, Proc. SPIE 3644, 542; the group's public table of 16 people",
@@ -142,6 +168,15 @@ constexpr DetectionThresholds hdr_vdp = {
     .seen_share = 2.0 / 3,
     .patterns = hdr_vdp_patterns};
 
+constexpr DetectionThresholds discs = {
+    .name = "Discs",
+    .source =
+        "Ashraf, Mantiuk and Chapiro 2022, Proc. IS&T CIC 30, grey discs from 2 cd/m2 on; as in the castleCSF data set "
+        "(MIT licence)",
+    .people = "4 to 12 people a disc, four alternatives; that 75 % were right, and sharp edges, are taken",
+    .seen_share = 2.0 / 3,
+    .patterns = disc_patterns};
+
 }  // namespace
 
 const DetectionThresholds& modelfest_thresholds() {
@@ -150,6 +185,10 @@ const DetectionThresholds& modelfest_thresholds() {
 
 const DetectionThresholds& hdr_vdp_thresholds() {
   return hdr_vdp;
+}
+
+const DetectionThresholds& disc_thresholds() {
+  return discs;
 }
 
 }  // namespace seamline::analysis

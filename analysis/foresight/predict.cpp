@@ -105,7 +105,31 @@ double log2_or_beyond(const ThresholdEstimate& estimate) {
   return estimate.reason.starts_with("above") ? above_every_level : below_every_level;
 }
 
+double level_of(const ManifestStimulus& record, const LevelAxis& axis) {
+  return of_depth_widths(axis) ? record.stimulus.depth.width_px : record.stimulus.level;
+}
+
 }  // namespace
+
+double take_finest_for_floor(const Manifest& manifest, VisibleDifferences& differences,
+                             const LevelAxis& axis) {
+  std::map<std::pair<std::string, Artifact>, const ManifestStimulus*> finest;
+  for (const ManifestStimulus& record : manifest.stimuli) {
+    if (record.stimulus.artifact == Artifact::none || stands_apart(axis, level_of(record, axis))) continue;
+    const ManifestStimulus*& last = finest[{floor_key(record.stimulus), record.stimulus.artifact}];
+    if (last == nullptr || comes_before(axis, level_of(*last, axis), level_of(record, axis))) last = &record;
+  }
+  double highest = 0;
+  for (const ManifestStimulus& record : manifest.stimuli) {
+    const auto last = finest.find({floor_key(record.stimulus), record.stimulus.artifact});
+    if (last == finest.end()) continue;
+    const double floor = differences.at(last->second->id).pooled;
+    VisibleDifference& difference = differences.at(record.id);
+    difference.above_floor = above_floor(difference.pooled, floor);
+    highest = std::max(highest, floor);
+  }
+  return highest;
+}
 
 std::vector<PredictedArtifact> predict_artifacts(const Manifest& manifest,
                                                  const VisibleDifferences& differences,
@@ -117,7 +141,7 @@ std::vector<PredictedArtifact> predict_artifacts(const Manifest& manifest,
   for (const ManifestStimulus& record : manifest.stimuli) {
     if (record.stimulus.artifact == Artifact::none) continue;
     Cells& cells = sums.try_emplace(record.stimulus.artifact, before).first->second;
-    CellSums& cell = cells[of_depth_widths(axis) ? record.stimulus.depth.width_px : record.stimulus.level];
+    CellSums& cell = cells[level_of(record, axis)];
     const double difference = differences.at(record.id).above_floor;
     cell.difference += difference;
     cell.noticeability += expected_mean(observer, difference, task);
@@ -209,12 +233,15 @@ Prediction predict_thresholds(const PredictionRequest& request) {
   if (request.pixels_per_degree) prediction.observer.pixels_per_degree = *request.pixels_per_degree;
   const double ppd = prediction.observer.pixels_per_degree;
   const DifferenceFloors floors = floors_of(request.none_set_folder, ppd, request.threads);
-  const VisibleDifferences differences =
+  VisibleDifferences differences =
       visible_differences(set.folder, set.manifest, ppd, floors, request.threads);
   DifferenceFloors known = difference_floors(set.manifest, differences);
   known.insert(floors.begin(), floors.end());
   prediction.floor_known = !known.empty();
   for (const auto& [key, floor] : known) prediction.highest_floor = std::max(prediction.highest_floor, floor);
+  prediction.finest_is_floor = request.finest_is_floor;
+  if (request.finest_is_floor)
+    prediction.highest_floor = take_finest_for_floor(set.manifest, differences, prediction.axis);
   prediction.gain_source = gain_source_of(request, prediction.observer);
   if (request.gain) prediction.observer.image_gain = *request.gain;
   if (prediction.gain_source == GainSource::detection)

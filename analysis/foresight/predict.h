@@ -22,6 +22,7 @@ struct PredictionRequest {
   bool calibrate = false;      ///< fixes the gain on this set
   std::optional<double> pixels_per_degree;  ///< none: the study's `observer.pixels_per_degree`
   int threads = 0;
+  bool finest_is_floor = false;  ///< see `take_finest_for_floor`
 };
 
 /// One artifact at one level: what the `image` observer is expected to answer on average.
@@ -64,6 +65,7 @@ struct Prediction {
   GainSource gain_source = GainSource::detection;
   LevelAxis axis = {};
   PlannedTask task = {};
+  bool finest_is_floor = false;
   bool floor_known = false;  ///< some stimulus without a seam told what rendering noise looks like
   double highest_floor = 0;
   std::vector<PredictedArtifact> artifacts;        ///< in the order of `every_artifact`, without `none`
@@ -77,6 +79,12 @@ struct Prediction {
 /// threshold; that is
 /// asked of widths of depth maps only.
 [[nodiscard]] Prediction predict_thresholds(const PredictionRequest& request);
+
+/// Takes what an object still shows at the last level of the axis (of widths the finest) for the grain of
+/// rendering: each of its stimuli with that artifact has only what exceeds it, (F^p - F_last^p)^(1/p).
+/// Returns the largest of these floors. A difference that is truly seen at the last level is lost with it.
+double take_finest_for_floor(const Manifest& manifest, VisibleDifferences& differences,
+                             const LevelAxis& axis = {});
 
 /// The same from visible differences that are at hand.
 [[nodiscard]] std::vector<PredictedArtifact> predict_artifacts(const Manifest& manifest,

@@ -20,6 +20,14 @@ struct ObserveOptions {
   int threads = 0;
 };
 
+std::vector<double> standard_thresholds_db(const DetectionThresholds& thresholds) {
+  std::vector<double> predicted_db;
+  for (const DetectionPattern& pattern : thresholds.patterns)
+    predicted_db.push_back(
+        standard_observer_threshold_db(pattern_contrast(pattern), pattern.pixels_per_degree));
+  return predicted_db;
+}
+
 DetectionTable modelfest_table(int threads) {
   DetectionTable table{.thresholds = &modelfest_thresholds(), .fits = {}, .standard_db = {}};
   const std::vector<PatternResponse> responses = pattern_responses(*table.thresholds, threads);
@@ -27,15 +35,14 @@ DetectionTable modelfest_table(int threads) {
   for (std::size_t place = 0; place < difference_measure_count; ++place)
     if (difference_measure(place) != DifferenceMeasure::pooled_3)
       table.fits.push_back(fit_measure(*table.thresholds, responses, difference_measure(place)));
-  for (const DetectionPattern& pattern : table.thresholds->patterns)
-    table.standard_db.push_back(
-        standard_observer_threshold_db(pattern_contrast(pattern), pattern.pixels_per_degree));
+  table.standard_db = standard_thresholds_db(*table.thresholds);
   return table;
 }
 
-DetectionTable hdr_vdp_table(int threads) {
+/// Of people to whom nothing was fitted: the image observer's value is ModelFest's.
+DetectionTable other_table(const DetectionThresholds& thresholds, int threads) {
   DetectionTable table{
-      .thresholds = &hdr_vdp_thresholds(), .fits = {}, .standard_db = {}, .criterion_from_outside = true};
+      .thresholds = &thresholds, .fits = {}, .standard_db = {}, .criterion_from_outside = true};
   const std::vector<PatternResponse> responses = pattern_responses(*table.thresholds, threads);
   table.fits = {
       judge_measure(*table.thresholds, responses, DifferenceMeasure::pooled_3, detection_visible_difference),
@@ -62,7 +69,10 @@ void observe(const ObserveOptions& options) {
   }
   const ObserverDefinition observer;
   std::printf("%s", detection_text(modelfest_table(options.threads)).c_str());
-  std::printf("%s", detection_text(hdr_vdp_table(options.threads)).c_str());
+  std::printf("%s", detection_text(other_table(hdr_vdp_thresholds(), options.threads)).c_str());
+  DetectionTable discs = other_table(disc_thresholds(), options.threads);
+  discs.standard_db = standard_thresholds_db(disc_thresholds());
+  std::printf("%s", detection_text(discs).c_str());
   std::printf(
       "`predict` rests on ModelFest's people: gain %.4g at scale_octaves %g. They knew where to look, "
       "looked at a uniform field, and had nothing else to do.\n",

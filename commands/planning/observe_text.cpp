@@ -31,6 +31,7 @@ CsvTable pattern_table(const DetectionTable& table) {
     std::string name(pattern.name);
     if (name == "Gabor")
       name = fmt::format("Gabor {:g} c/deg, sd {:g} deg", pattern.frequency_cpd, pattern.sigma_x_deg);
+    if (name == "disc") name = fmt::format("disc, radius {:.2g} deg", pattern.sigma_x_deg);
     std::vector<CsvValue> row{
         std::int64_t{pattern.number}, name, pattern.mean_luminance_cdm2, decibels(pattern.threshold_db),
         pattern.people_sd_db > 0 ? CsvValue(decibels(pattern.people_sd_db)) : CsvValue()};

@@ -18,6 +18,7 @@ struct PredictOptions {
   bool calibrate = false;
   double pixels_per_degree = 0;  ///< 0: the study's
   int threads = 0;
+  bool finest_is_floor = false;
 };
 
 void predict(const PredictOptions& options) {
@@ -26,7 +27,8 @@ void predict(const PredictOptions& options) {
                             .gain = std::nullopt,
                             .calibrate = options.calibrate,
                             .pixels_per_degree = std::nullopt,
-                            .threads = options.threads};
+                            .threads = options.threads,
+                            .finest_is_floor = options.finest_is_floor};
   if (options.gain > 0) request.gain = options.gain;
   if (options.pixels_per_degree > 0) request.pixels_per_degree = options.pixels_per_degree;
   std::printf("%s", prediction_text(predict_thresholds(request)).c_str());
@@ -41,6 +43,10 @@ void add_predict_command(CLI::App& app) {
   command->add_option("set", options->set_folder, "folder of the rendered set")->required();
   command->add_option("--none", options->none_set_folder,
                       "a set of the same scenes and objects rendered with the artifact none: the floor");
+  command
+      ->add_flag("--finest-is-floor", options->finest_is_floor,
+                 "take what each object still shows at the last level for the grain of rendering")
+      ->excludes("--none");
   CLI::Option* gain = add_number(*command, "--gain", options->gain, {1e-9, 1e9},
                                  "instead of the study's observer.image_gain; without either, the gain of "
                                  "published detection thresholds");

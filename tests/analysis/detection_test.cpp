@@ -73,6 +73,26 @@ TEST(Detection, FlipDoesNotKnowHowLightItIs) {
   EXPECT_EQ(pattern_contrast(dim).values, pattern_contrast(light).values);
 }
 
+/// Discs: nothing was fitted to their people. The image observer is right about the middle one, and takes
+/// what a wide one changes inside for visible, which people and the published standard observer do not.
+TEST(Detection, DiscsOfAQuarterDegreeAreSeenAsPeopleSayAndWideOnesTooEasily) {
+  const DetectionThresholds& people = disc_thresholds();
+  const std::vector<PatternResponse> responses = pattern_responses(people);
+  const MeasureFit fit =
+      judge_measure(people, responses, DifferenceMeasure::pooled_3, detection_visible_difference);
+  for (std::size_t i = 0; i < people.patterns.size(); ++i) {
+    const DetectionPattern& disc = people.patterns[i];
+    if (disc.sigma_x_deg == 0.25) {
+      EXPECT_NEAR(fit.predicted_db[i], disc.threshold_db, 3) << disc.mean_luminance_cdm2;
+    }
+    if (disc.sigma_x_deg == 1) {
+      EXPECT_GT(fit.predicted_db[i], disc.threshold_db + 5) << disc.mean_luminance_cdm2;
+      EXPECT_NEAR(standard_observer_threshold_db(pattern_contrast(disc), disc.pixels_per_degree), 35.75,
+                  0.02);  // a script of NumPy that shares nothing with the program
+    }
+  }
+}
+
 struct PlantedPairs {
   std::vector<SeenPair> pairs;
   std::vector<MeasuredDifference> measured;

@@ -81,6 +81,24 @@ TEST(Predict, ThresholdsAreThoseOfTheThresholdObserverWithTheSameCurve) {
   EXPECT_NEAR(found.slightly_noticeable.level_x.value(), expected.slightly_noticeable.level_x.value(), 1e-9);
 }
 
+/// Grain that every stimulus of an object has, pooled with the seam, is taken away again: what is left of a
+/// planted c / W is that less what the finest width shows.
+TEST(Predict, WhatTheFinestWidthShowsIsTakenForGrain) {
+  Study study = example();
+  const double grain = 0.4;
+  const auto pooled = [&](double seam) { return std::cbrt(std::pow(seam, 3) + std::pow(grain, 3)); };
+  for (auto& [id, difference] : study.differences) difference.pooled = pooled(difference.pooled);
+  const double highest = take_finest_for_floor(study.manifest, study.differences);
+  EXPECT_NEAR(highest, pooled(4000.0 / 4096), 1e-12);  // the overlap's own
+  for (const ManifestStimulus& record : study.manifest.stimuli) {
+    if (record.stimulus.artifact != Artifact::receiver || record.stimulus.object != "left") continue;
+    const double finest = 40.0 / 4096, seam = 40.0 / record.stimulus.depth.width_px;
+    EXPECT_NEAR(study.differences.at(record.id).above_floor,
+                std::cbrt(std::pow(seam, 3) - std::pow(finest, 3)), 1e-6)
+        << record.id;
+  }
+}
+
 /// Where nobody is asked for ratings, a threshold is where half see it, which no chance moves.
 TEST(Predict, WithoutRatingsItIsDetection) {
   Study study;

@@ -153,12 +153,18 @@ std::string prediction_text(const Prediction& prediction) {
       1 / prediction.observer.image_gain.value());
   text += gain_text(prediction);
   text += spread_text(prediction);
+  if (prediction.finest_is_floor)
+    return text +
+           fmt::format(
+               "Floor: what the last level of each object still shows, at most {:.4g}, is taken for the grain "
+               "of rendering.\nWhat is truly seen there is lost with it.\n",
+               prediction.highest_floor);
   text += prediction.floor_known
               ? fmt::format("Floor: the difference of stimuli without a seam (none), at most {:.4g}.\n",
                             prediction.highest_floor)
               : "Floor: 0, because there are no stimuli without a seam (none) to measure it on.\n";
   if (!prediction.floor_known && prediction.gain_source == GainSource::detection)
-    text += "Eyes of this gain see the grain of rendering as well: give --none a set without seams.\n";
+    text += "Eyes of this gain see the grain of rendering as well: see --finest-is-floor.\n";
   return text;
 }
 
