@@ -84,7 +84,7 @@ TEST(Evidence, PagesAreRenewedFromTheTablesBesideThem) {
       read_text(pages / "stability.md"),
       "# One\n\n<!-- stability/groups.csv -->\n| group | cases | passed |\n| --- | ---: | ---: |\n| light | 2 "
       "| 1 |\n| space | 1 | 1 |\n\n<!-- stability/made.csv -->\nMade by `seamline lab evidence stability`: "
-      "seamline 1.0.0 on CPU, 2 threads (2026-11-27), 2 minutes of processor time.\n\nEnd\n");
+      "seamline 1.0.0 on CPU, 2 threads (2026-11-27), 3 minutes of processor time.\n\nEnd\n");
   EXPECT_THAT(test::run_seamline("lab evidence stability --tables").output, HasSubstr("--pages"));
 }
 
