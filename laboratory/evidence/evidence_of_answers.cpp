@@ -119,6 +119,33 @@ EvidencePage coverage_page() {
                                   {.heading = "error, octaves", .of = "error_octaves"}}}}};
 }
 
+EvidencePage replication_page() {
+  const auto mean = [](const char* heading, const char* column, int decimals) {
+    return SummaryColumn{.heading = heading, .of = column, .shows = Summary::mean, .decimals = decimals};
+  };
+  return {
+      .name = "replication",
+      .shows = "how often studies are said to agree with published values, and to differ",
+      .takes = "3 minutes",
+      .needs = tests_needed,
+      .steps = {{"planted",
+                 "SEAMLINE_TRUE_STUDIES=200 tests/analysis_full_tests "
+                 "--gtest_filter=PlantedReplications.*",
+                 Printed::progress}},
+      .small_steps = {{"small", "tests/analysis_quick_tests --gtest_filter=SmallReplication.*",
+                       Printed::progress}},
+      .shown = {"replication.csv", "replication_orders.csv"},
+      .tables = {
+          {.file = "by_distance.csv",
+           .from = {{"", "replication.csv"}},
+           .heading = "octaves away",
+           .row_of = {"moved_octaves"},
+           .columns = {mean("agrees, %", "agrees_percent", 1), mean("so promised, %", "promised_agrees", 1),
+                       mean("differs, %", "differs_percent", 1), mean("promised, %", "promised_differs", 1),
+                       mean("no number, %", "no_number_percent", 1)},
+           .where = {{"published", "exact"}}}}};
+}
+
 namespace {
 
 EvidenceTable log_scores_of_real_people() {

@@ -6,6 +6,7 @@ namespace seamline::laboratory {
 // Pages on what is computed from answers: thresholds, intervals, fits.
 
 [[nodiscard]] EvidencePage coverage_page();
+[[nodiscard]] EvidencePage replication_page();
 [[nodiscard]] EvidencePage joint_model_page();
 [[nodiscard]] EvidencePage statistics_page();
 

@@ -115,10 +115,10 @@ EvidencePage scale_page() {
 }  // namespace
 
 std::span<const EvidencePage> evidence_pages() {
-  static const std::vector<EvidencePage> pages = {convergence_page(), coverage_page(),  joint_model_page(),
-                                                  statistics_page(),  stability_page(), speed_page(),
-                                                  predictions_page(), real_time_page(), true_errors_page(),
-                                                  faults_page(),      growth_page(),    scale_page()};
+  static const std::vector<EvidencePage> pages = {
+      convergence_page(), coverage_page(), replication_page(), joint_model_page(), statistics_page(),
+      stability_page(),   speed_page(),    predictions_page(), real_time_page(),   true_errors_page(),
+      faults_page(),      growth_page(),   scale_page()};
   return pages;
 }
 
