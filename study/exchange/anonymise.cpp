@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "stimuli/study_file/study_file.h"
+#include "study/exchange/clip_records.h"
 #include "support/arithmetic/random.h"
 #include "support/files/hash.h"
 #include "support/text/error.h"
@@ -199,18 +200,29 @@ Anonymity leave_out_rare_states(LogContents& log, int k) {
   return anonymity;
 }
 
-/// Answers in an order that the participants did not see.
-void number_again(LogContents& log) {
+/// Answers in an order that the participants did not see, and what goes with each of them.
+void number_again(LogContents& log, std::vector<std::optional<bool>>& late_clips) {
   const auto coarse_times = [](auto& row) {
     row.choice_ns = coarse(row.choice_ns);
     row.rating_ns = coarse(row.rating_ns);
   };
   std::map<std::string, int> next;
   for (Answer& answer : log.answers) coarse_times(answer);
-  std::sort(log.answers.begin(), log.answers.end(), [](const Answer& a, const Answer& b) {
-    return std::tie(a.participant, a.stimulus_id, a.chosen_index, a.rating, a.choice_ns, a.rating_ns) <
-           std::tie(b.participant, b.stimulus_id, b.chosen_index, b.rating, b.choice_ns, b.rating_ns);
-  });
+  std::vector<std::pair<Answer, std::optional<bool>>> answers;
+  late_clips.resize(late_clips.empty() ? 0 : log.answers.size());
+  for (std::size_t i = 0; i < log.answers.size(); ++i)
+    answers.emplace_back(std::move(log.answers[i]), late_clips.empty() ? std::nullopt : late_clips[i]);
+  const auto place = [](const std::pair<Answer, std::optional<bool>>& one) {
+    const Answer& a = one.first;
+    return std::tie(a.participant, a.stimulus_id, a.chosen_index, a.rating, a.choice_ns, a.rating_ns,
+                    one.second);
+  };
+  std::sort(answers.begin(), answers.end(),
+            [&](const auto& a, const auto& b) { return place(a) < place(b); });
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    log.answers[i] = std::move(answers[i].first);
+    if (!late_clips.empty()) late_clips[i] = answers[i].second;
+  }
   for (Answer& answer : log.answers) answer.trial_index = next[answer.participant]++;
   for (CatchTrialAnswer& answer : log.catches) coarse_times(answer);
   std::sort(log.catches.begin(), log.catches.end(), [](const CatchTrialAnswer& a, const CatchTrialAnswer& b) {
@@ -243,8 +255,9 @@ AnonymisedLog anonymise(LogContents log, int k) {
     throw input_error(
         {.field = "--k", .wanted = "a group of at least 2 people", .found = fmt::format("{}", k)});
   AnonymisedLog out{.anonymity = leave_out_rare_states(log, k)};
+  out.anonymity.late_clips = late_clips(log);
   give_new_codes(log);
-  number_again(log);
+  number_again(log, out.anonymity.late_clips);
   const std::set<std::string> numbers = number_fields(log);
   std::set<std::string> fields;
   for (ParticipantRecord& participant : log.participants)

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,9 @@ struct Anonymity {
   bool keeps_origin = true;   ///< false: fewer than k came one of the ways
   int left_out_people = 0;    ///< with everything of theirs: fewer than k are in their state
   int unfinished_people = 0;  ///< whose answers are left out
+  /// Of each answer to a clip: whether too many frames were late or dropped; none: not counted. Empty where
+  /// the study has no clips.
+  std::vector<std::optional<bool>> late_clips = {};
 };
 
 /// One question of the form, as it leaves the house.
@@ -37,7 +41,8 @@ struct AnonymisedLog {
 /// - Codes become `p001`, `p002`, ... in an order that says nothing of who came first; answers stand in the
 ///   order of the stimuli, `trial_index` counts them so; times are rounded to a tenth of a second.
 /// - The tables leave out what follows from the order of trials, which follows from the order of arrival:
-///   `slot`, `trial_index`, and of catch trials which they were; also `restarts` and `image_scale`.
+///   `slot`, `trial_index`, and of catch trials which they were; also `restarts` and `image_scale`. Of how
+///   clips were shown they say which trials are marked, and no counts.
 /// - Whoever did not finish keeps a row without answers, since the answers there are the first of their
 /// order.
 /// - People in a state (finished, excluded, trial run) that fewer than `k` share are left out.

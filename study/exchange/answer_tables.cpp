@@ -148,7 +148,7 @@ void add_languages(const LogContents& log, CsvTable& participants) {
 std::vector<CsvTable> answer_tables(const LogContents& log, const std::optional<Anonymity>& anonymity) {
   std::vector<CsvTable> tables = {table_of_answers(log), table_of_catches(log), table_of_participants(log)};
   if (!anonymity) add_languages(log, tables.back());
-  if (!anonymity) add_clip_columns(log, tables.front());  // how a computer shows clips may tell whose it is
+  add_clip_columns(log, anonymity, tables.front());
   if (anonymity)
     for (CsvTable& table : tables) table = without_order(std::move(table), *anonymity);
   else  // how somebody moves may tell who it is

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "study/exchange/answer_tables.h"
+#include "study/exchange/clip_records.h"
 #include "study/exchange/dataset.h"
 #include "support/files/assets.h"
 #include "support/text/csv.h"
@@ -91,12 +92,20 @@ BehRow beh_row(const CatchTrialAnswer& c, bool is_anonymous) {
           none};
 }
 
-/// The trials of each participant, in their order.
-std::map<std::string, std::vector<BehRow>> rows_by_participant(const LogContents& log, bool is_anonymous) {
+/// The trials of each participant, in their order. `clips`: how the clips of answers were shown.
+std::map<std::string, std::vector<BehRow>> rows_by_participant(const LogContents& log,
+                                                               const ClipColumns& clips, bool is_anonymous) {
   std::map<std::string, std::vector<BehRow>> rows;
-  for (const Answer& answer : log.answers) rows[answer.participant].push_back(beh_row(answer));
-  for (const CatchTrialAnswer& answer : log.catches)
-    rows[answer.participant].push_back(beh_row(answer, is_anonymous));
+  for (std::size_t i = 0; i < log.answers.size(); ++i) {
+    BehRow row = beh_row(log.answers[i]);
+    if (!clips.rows.empty()) row.insert(row.end(), clips.rows[i].begin(), clips.rows[i].end());
+    rows[log.answers[i].participant].push_back(std::move(row));
+  }
+  for (const CatchTrialAnswer& answer : log.catches) {
+    BehRow row = beh_row(answer, is_anonymous);
+    row.resize(row.size() + clips.columns.size());
+    rows[answer.participant].push_back(std::move(row));
+  }
   for (auto& [participant, trials] : rows)
     std::stable_sort(trials.begin(), trials.end(), [](const BehRow& a, const BehRow& b) {
       return std::get<std::int64_t>(a.front()) < std::get<std::int64_t>(b.front());
@@ -135,7 +144,9 @@ std::vector<DatasetFile> bids_files(const LogContents& log, const std::optional<
 
   std::vector<DatasetFile> files;
   CsvTable beh = empty_beh_table(log);
-  std::map<std::string, std::vector<BehRow>> rows = rows_by_participant(log, anonymity.has_value());
+  const ClipColumns clips = clip_columns(log, anonymity);
+  beh.columns.insert(beh.columns.end(), clips.columns.begin(), clips.columns.end());
+  std::map<std::string, std::vector<BehRow>> rows = rows_by_participant(log, clips, anonymity.has_value());
   for (std::size_t i = 0; i < subjects.size(); ++i) {
     beh.rows = std::move(rows[log.participants[i].code]);
     files.push_back({fmt::format("{0}/beh/{0}_task-{1}_beh.tsv", subjects[i], task),

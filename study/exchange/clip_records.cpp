@@ -1,5 +1,6 @@
 #include "study/exchange/clip_records.h"
 
+#include <algorithm>
 #include <charconv>
 #include <map>
 #include <string_view>
@@ -50,6 +51,11 @@ CountsOfTrials counts_in(SQLite::Database& database, const std::filesystem::path
   return counts;
 }
 
+/// The share of late and dropped frames above which the study marks a trial.
+double most_late_share(const LogContents& log) {
+  return read_late_frames_text(log.study_text, log.file).value_or(LateFrames{}).most_share;
+}
+
 }  // namespace
 
 double ClipCounts::late_share() const {
@@ -82,26 +88,50 @@ std::vector<std::optional<ClipCounts>> read_clip_counts(const LogContents& log) 
   return of_answers;
 }
 
-void add_clip_columns(const LogContents& log, CsvTable& answers) {
-  const std::vector<std::optional<ClipCounts>> counts = read_clip_counts(log);
-  if (counts.empty()) return;
-  const double most = read_late_frames_text(log.study_text, log.file).value_or(LateFrames{}).most_share;
-  answers.columns.insert(
-      answers.columns.end(),
-      {{"frames_shown", "frames",
-        "of the clip that stood on the screen until the rating; empty: not counted"},
-       {"frames_late", "frames", "of these, those that came more than two refreshes after their time"},
-       {"frames_dropped", "frames", "that never stood there, because the next one's time had come"},
-       {"late_share", "share 0 to 1", "late and dropped frames, of those that were due"},
-       {"marked", "", "1 where that is more than late_frames_most of the study's [analysis]"}});
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    std::vector<CsvValue>& row = answers.rows[i];
-    if (const std::optional<ClipCounts>& one = counts[i])
-      row.insert(row.end(), {std::int64_t{one->shown}, std::int64_t{one->late}, std::int64_t{one->dropped},
-                             one->late_share(), std::int64_t{one->late_share() > most ? 1 : 0}});
-    else
-      row.resize(row.size() + 5);
+ClipColumns clip_columns(const LogContents& log, const std::optional<Anonymity>& anonymity) {
+  ClipColumns out;
+  if (anonymity) {
+    if (anonymity->late_clips.empty()) return out;
+    out.columns = {{"marked", "",
+                    "1 where more of the clip's frames were late or dropped than late_frames_most of the "
+                    "study's [analysis]; empty: not counted"}};
+    for (const std::optional<bool>& late : anonymity->late_clips)
+      out.rows.push_back({late ? CsvValue(std::int64_t{*late ? 1 : 0}) : CsvValue()});
+    return out;
   }
+  const std::vector<std::optional<ClipCounts>> counts = read_clip_counts(log);
+  if (counts.empty()) return out;
+  out.columns = {
+      {"frames_shown", "frames", "of the clip that stood on the screen until the rating; empty: not counted"},
+      {"frames_late", "frames", "of these, those that came more than two refreshes after their time"},
+      {"frames_dropped", "frames", "that never stood there, because the next one's time had come"},
+      {"late_share", "share 0 to 1", "late and dropped frames, of those that were due"},
+      {"marked", "", "1 where that is more than late_frames_most of the study's [analysis]"}};
+  const double most = most_late_share(log);
+  for (const std::optional<ClipCounts>& one : counts)
+    if (one)
+      out.rows.push_back({std::int64_t{one->shown}, std::int64_t{one->late}, std::int64_t{one->dropped},
+                          one->late_share(), std::int64_t{one->late_share() > most ? 1 : 0}});
+    else
+      out.rows.emplace_back(out.columns.size());
+  return out;
+}
+
+void add_clip_columns(const LogContents& log, const std::optional<Anonymity>& anonymity, CsvTable& answers) {
+  const ClipColumns clips = clip_columns(log, anonymity);
+  answers.columns.insert(answers.columns.end(), clips.columns.begin(), clips.columns.end());
+  for (std::size_t i = 0; i < clips.rows.size(); ++i)
+    answers.rows[i].insert(answers.rows[i].end(), clips.rows[i].begin(), clips.rows[i].end());
+}
+
+std::vector<std::optional<bool>> late_clips(const LogContents& log) {
+  std::vector<std::optional<bool>> out;
+  const std::vector<std::optional<ClipCounts>> counts = read_clip_counts(log);
+  if (counts.empty()) return out;
+  const double most = most_late_share(log);
+  for (const std::optional<ClipCounts>& one : counts)
+    out.push_back(one ? std::optional(one->late_share() > most) : std::nullopt);
+  return out;
 }
 
 }  // namespace seamline::study

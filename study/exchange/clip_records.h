@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "study/exchange/anonymise.h"
 #include "study/log/log.h"
 #include "support/text/csv.h"
 
@@ -27,7 +28,20 @@ struct ClipCounts {
 /// none.
 [[nodiscard]] std::vector<std::optional<ClipCounts>> read_clip_counts(const LogContents& log);
 
-/// Adds how each clip was shown to the table of the log's answers; nothing where the study has no clips.
-void add_clip_columns(const LogContents& log, CsvTable& answers);
+/// How the clip of each answer was shown, as columns of a table of answers; no columns where the study has no
+/// clips.
+struct ClipColumns {
+  std::vector<CsvColumn> columns = {};
+  std::vector<std::vector<CsvValue>> rows = {};  ///< of the log's answers, in their order
+};
+
+/// Of an anonymised log only which trials are marked: how a computer shows clips may tell whose it is.
+[[nodiscard]] ClipColumns clip_columns(const LogContents& log, const std::optional<Anonymity>& anonymity);
+
+/// Adds them to the table of the log's answers.
+void add_clip_columns(const LogContents& log, const std::optional<Anonymity>& anonymity, CsvTable& answers);
+
+/// Which answers are marked, before a log forgets whose they are (`Anonymity::late_clips`).
+[[nodiscard]] std::vector<std::optional<bool>> late_clips(const LogContents& log);
 
 }  // namespace seamline::study

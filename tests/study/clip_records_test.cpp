@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "study/exchange/answer_tables.h"
+#include "study/exchange/dataset.h"
 #include "tests/study/log_fixture.h"
 
 namespace seamline::study {
@@ -68,6 +69,38 @@ TEST_F(ClipRecords, TheStudySaysFromWhereOnATrialIsMarked) {
       log_of_clips({{.kind = "clip", .trial_index = 1, .detail = "shown 20 late 2 dropped 0"}},
                    "[analysis]\nlate_frames_most = 0.1\n");
   EXPECT_EQ(std::get<std::int64_t>(answer_tables(log).front().rows[1].back()), 0);
+}
+
+TEST_F(ClipRecords, DatasetsHaveThemAndAnonymisedOnesHaveTheMarksAlone) {
+  const LogContents log =
+      log_of_clips({{.kind = "clip", .trial_index = 0, .detail = "shown 20 late 0 dropped 0"},
+                    {.kind = "clip", .trial_index = 1, .detail = "shown 20 late 2 dropped 0"}});
+  const auto beh_of = [](const std::vector<DatasetFile>& files) {
+    return std::find_if(files.begin(), files.end(),
+                        [](const DatasetFile& file) { return file.path.ends_with("_beh.tsv"); })
+        ->text;
+  };
+  const std::string whole = beh_of(bids_files(log, {}));
+  EXPECT_THAT(whole, testing::HasSubstr("\tframes_shown\tframes_late\tframes_dropped\tlate_share\tmarked\n"));
+  EXPECT_THAT(whole, testing::HasSubstr("\t20\t2\t0\t0.1\t1\n"));
+  LogContents finished = log;
+  finished.participants.front().completed = true;
+  finished.participants.push_back(finished.participants.front());
+  finished.participants.back().code = "bert";
+  const AnonymisedLog anonymous = anonymise(finished, 2);
+  const CsvTable table = answer_tables(anonymous.log, anonymous.anonymity).front();
+  ASSERT_EQ(table.columns.back().name, "marked");
+  int marked = 0, counted = 0;
+  for (const auto& row : table.rows)
+    if (const auto* mark = std::get_if<std::int64_t>(&row.back())) {
+      marked += static_cast<int>(*mark);
+      ++counted;
+    }
+  EXPECT_EQ(counted, 2);
+  EXPECT_EQ(marked, 1);
+  const std::string given_away = beh_of(bids_files(anonymous.log, anonymous.anonymity));
+  EXPECT_THAT(given_away, testing::HasSubstr("\tmarked\n"));
+  EXPECT_THAT(given_away, testing::Not(testing::HasSubstr("frames_")));
 }
 
 TEST_F(ClipRecords, OtherEventsAreRefused) {
