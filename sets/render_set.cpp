@@ -9,6 +9,9 @@
 #include "renderer/estimators/estimator.h"
 #include "renderer/picture/composite.h"
 #include "renderer/picture/rare_light.h"
+#include "sets/clips/clip_decisions.h"
+#include "sets/clips/frame_changes.h"
+#include "sets/clips/mesh_share.h"
 #include "sets/clips/set_clips.h"
 #include "sets/contact_sheet.h"
 #include "sets/render_plan.h"
@@ -44,8 +47,7 @@ std::string part_name(const RenderRequest& request) {
   return request.shard_count == 1 ? std::string() : fmt::format("{}of{}", request.shard, request.shard_count);
 }
 
-/// One render job: what is asked, what is finished, and the order of work that shares the most: scene,
-/// object, width.
+/// One render job: what is asked, what is finished, and the order of work: scene, object, width.
 class SetRenderer {
  public:
   /// `shown` is what people see, `study` what is rendered for it (`still_study`).
@@ -64,6 +66,7 @@ class SetRenderer {
     check_existing_set();
     work_ = find_work(study_, request_, hashes_, records_);
     summary_.already_finished = work_.already_finished;
+    if (shown_.clip) share_among_frames();
     if (request_.part == JobPart::truth) work_.pending.clear(), work_.of_object.clear();
     if (request_.part == JobPart::join) require_nothing_pending();
     for (const SceneDefinition& truth : truths_) load_and_check(truth);
@@ -93,6 +96,30 @@ class SetRenderer {
       give_back_freed_memory();
     }
     progress_.reset();
+  }
+
+  /// Frames of clips have meshes in common and, where an error is asked for, how they are sampled.
+  void share_among_frames() {
+    std::vector<Stimulus> rendered;
+    for (const PendingStimulus& work : work_.pending) rendered.push_back(work.stimulus);
+    meshes_.emplace(study_, rendered, [this](const Stimulus& stimulus) {
+      return asked_of_depth(stimuli_.at(truth_of(stimulus))).traces_depth();
+    });
+    if (!request_.error) return;
+    ClipDecisionSubject subject{
+        .study = study_, .stimuli = stimuli_, .moving = moving_, .set_folder = request_.set_folder};
+    subject.inputs_of_truth = [this](const std::string& truth) { return hashes_.of_reference(truth); };
+    subject.inputs_of_stimulus = [this](const Stimulus& one) { return hashes_.of_stimulus(one); };
+    subject.estimator_of = [this](const TruthScene& scene) { return estimator_of(scene); };
+    subject.depth_of = [this](const TruthScene& scene, const SceneEstimator& estimator, const Stimulus& one) {
+      return depth_of(scene, estimator, one);
+    };
+    subject.wanted = std::move(rendered);
+    subject.tell = [this](const std::string& what) {
+      if (mark_) mark_->alive();
+      progress_->advance(0, what);
+    };
+    decisions_.emplace(shown_, std::move(subject));
   }
 
   void require_nothing_pending() const {
@@ -142,8 +169,9 @@ class SetRenderer {
   }
 
   [[nodiscard]] std::unique_ptr<SceneEstimator> estimator_of(const TruthScene& scene) const {
-    return make_estimator(settings_.estimator, scene,
-                          estimate_options(stimuli_.at(truth_of(scene.definition)), settings_, threads_));
+    EstimateOptions options = estimate_options(stimuli_.at(truth_of(scene.definition)), settings_, threads_);
+    options.keeps_error_maps = decisions_.has_value();
+    return make_estimator(settings_.estimator, scene, options);
   }
 
   /// Every wrong input is found before the first long computation.
@@ -166,6 +194,7 @@ class SetRenderer {
     if (found == scenes_.end()) return;
     const TruthScene& scene = found->second;
     const std::unique_ptr<SceneEstimator> estimator = estimator_of(scene);
+    if (decisions_) estimator->hold_to(decisions_->of_truth(definition.truth));
     if (request_.part == JobPart::stimuli && estimator->truth_pieces() == 1) take_truth(scene, 1, *estimator);
     finish_reference(scene, *estimator);
     if (request_.part == JobPart::truth) leave_truth(scene, *estimator);
@@ -230,7 +259,7 @@ class SetRenderer {
     estimator.take_object(object_index, report(weights_.truth, what));
     timings_.add("truth-" + scene.definition.truth + "-" + std::to_string(object_index), watch.seconds(),
                  estimator.truth().rays);
-    for (const auto& [mesh, works] : by_mesh) render_mesh(scene, estimator, mesh.second, works);
+    for (const auto& [mesh, works] : by_mesh) render_mesh(scene, estimator, works);
     give_back_freed_memory();
   }
 
@@ -241,28 +270,36 @@ class SetRenderer {
     return moving_.load(*captured).geometry_without(stimulus.object_index);
   }
 
-  /// All stimuli of one depth map share its mesh.
-  void render_mesh(const TruthScene& scene, SceneEstimator& estimator, DepthSettings settings,
-                   const std::vector<PendingStimulus>& works) {
+  [[nodiscard]] LocalScene depth_of(const TruthScene& scene, const SceneEstimator& estimator,
+                                    const Stimulus& stimulus) {
+    DepthSettings settings = stimulus.depth;
     settings.mesh = settings_.mesh.value_or(settings.mesh);
+    const Answers asked = asked_of_depth(stimuli_.at(truth_of(scene.definition)));
+    const std::optional<Geometry> captured = captured_geometry(stimulus);
+    return stimulus_scene(scene, estimator, settings, asked.traces_depth(), threads_,
+                          captured ? &*captured : nullptr, &stereo_);
+  }
+
+  /// All stimuli of one depth map share its mesh.
+  void render_mesh(const TruthScene& scene, SceneEstimator& estimator,
+                   const std::vector<PendingStimulus>& works) {
     const Stopwatch watch;
-    std::optional<LocalScene> depth;
+    std::shared_ptr<const LocalScene> depth = meshes_ ? meshes_->find(works.front().stimulus) : nullptr;
     bool needed = request_.layers;
     for (const PendingStimulus& work : works)
       needed = needed || recipe(work.stimulus.artifact, work.stimulus.isolation).answers.needs_depth();
-    // By all artifacts of the scene, not by those left to render: a set that was interrupted has the same
-    // bytes.
+    // By all artifacts of the scene, not by those left to render: an interrupted set has the same bytes.
     const Answers asked = asked_of_depth(stimuli_.at(truth_of(scene.definition)));
-    const std::optional<Geometry> captured =
-        needed ? captured_geometry(works.front().stimulus) : std::nullopt;
-    if (needed)
-      depth.emplace(stimulus_scene(scene, estimator, settings, asked.traces_depth(), threads_,
-                                   captured ? &*captured : nullptr, &stereo_));
+    if (needed && depth == nullptr)
+      depth = std::make_shared<const LocalScene>(depth_of(scene, estimator, works.front().stimulus));
     progress_->advance(weights_.mesh, "depth mesh");
     timings_.add(fmt::format("mesh-{}-{}-{:04}", scene.definition.truth, works.front().stimulus.object,
-                             settings.width_px),
+                             works.front().stimulus.depth.width_px),
                  watch.seconds(), 0);
-    for (const PendingStimulus& work : works) render_one(scene, estimator, depth ? &*depth : nullptr, work);
+    for (const PendingStimulus& work : works) {
+      render_one(scene, estimator, depth.get(), work);
+      if (meshes_) meshes_->finish(work.stimulus, depth);
+    }
     // Taking it again costs 0.15 s: little beside stimuli that trace bounce light, which need most of it.
     if (asked.bounce == Who::depth) give_back_freed_memory();
   }
@@ -270,12 +307,15 @@ class SetRenderer {
   /// `depth` is null when no stimulus of its width asks it anything.
   void render_one(const TruthScene& scene, SceneEstimator& estimator, const LocalScene* depth,
                   const PendingStimulus& work) {
-    const Stopwatch watch;
     const std::string id = stimulus_id(work.stimulus);
+    const StimulusDecision* decision = decisions_ ? &decisions_->of_stimulus(id) : nullptr;
+    const Stopwatch watch;
     const Recipe how = recipe(work.stimulus.artifact, work.stimulus.isolation);
     const Geometry* geometry = depth != nullptr ? &depth->geometry : nullptr;
-    const EstimatedStimulus made = estimator.stimulus(
-        how, depth != nullptr ? depth->world() : DepthWorld(nullptr), report(weights_.stimulus, id));
+    const DepthWorld world = depth != nullptr ? depth->world() : DepthWorld(nullptr);
+    const ReportProgress reported = report(weights_.stimulus, id);
+    EstimatedStimulus made = decision != nullptr ? estimator.decided_stimulus(how, world, *decision, reported)
+                                                 : estimator.stimulus(how, world, reported);
     const Composite composite = compose(made.sums, made.sums.compositing, threads_);
     ManifestStimulus record =
         write_stimulus(request_.set_folder, work.stimulus,
@@ -296,6 +336,7 @@ class SetRenderer {
     if (request_.error)
       notes.rare_light =
           rare_light_share(made.sums, composite.picture, scene.definition.exposure_ev, threads_);
+    if (made.error_map) notes.changes = changes_.add(id, std::move(*made.error_map));
     timings_.add(id, watch.seconds(), made.sums.rays, notes);
     ++summary_.rendered;
     if (mark_) mark_->finished_one();
@@ -331,6 +372,9 @@ class SetRenderer {
   const WorkWeights weights_ = work_weights(settings_.estimator);
   std::size_t earlier_stimuli_ = 0;
   MovingScenes moving_{study_.width_px, study_.height_px};  ///< of clips
+  std::optional<ClipDecisions> decisions_;                  ///< of clips, where an error is asked for
+  std::optional<MeshShare> meshes_;                         ///< of clips
+  FrameChanges changes_{shown_};
   std::map<std::string, TruthScene> scenes_;
   StereoMemory stereo_;                       ///< of the object that is rendered
   std::map<std::string, LightFacts> lights_;  ///< of scenes loaded so far
@@ -342,29 +386,11 @@ class SetRenderer {
 
 }  // namespace
 
-RenderSettings render_settings(const StudyDefinition& study, const RenderRequest& request) {
-  bool sets_mesh = study.level.quantity == Quantity::mesh_tolerance;
-  for (const ConditionDefinition& condition : study.conditions)
-    sets_mesh = sets_mesh || condition.depth.mesh != study.depth.mesh ||
-                condition.depth.mesh_tolerance != study.depth.mesh_tolerance;
-  if (request.mesh && sets_mesh)
-    throw input_error({.field = "--mesh",
-                       .wanted = "a study whose conditions and levels leave the mesh to the command line",
-                       .found = study.file.string() + ", which varies it"});
-  return {.spp = request.spp.value_or(study.samples_per_pixel),
-          .seed = study.seed,
-          .mesh = request.mesh,
-          .estimator = request.estimator,
-          .error = request.error,
-          .omit = request.omit};
-}
-
 RenderSummary render_set(const StudyDefinition& study, const RenderRequest& request) {
-  if (study.clip && request.error)
+  if (study.clip && request.error && request.estimator != Estimator::fast)
     throw input_error({.field = "--error",
-                       .wanted = "a number of samples (--spp) for a study of clips: frames whose samples are "
-                                 "decided one by one flicker",
-                       .found = fmt::format("{}", *request.error)});
+                       .wanted = "the fast estimator, or a number of samples (--spp), for a study of clips",
+                       .found = "--estimator " + std::string(word(request.estimator))});
   const StudyDefinition rendered = still_study(study);
   const RenderSummary summary = SetRenderer(study, rendered, request).run();
   if (request.contact_sheet) write_contact_sheets(request.set_folder);

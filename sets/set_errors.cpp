@@ -3,11 +3,17 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string_view>
 
 #include "renderer/picture/rare_light.h"
+#include "sets/clips/frame_changes.h"
+#include "stimuli/definition/clip_frames.h"
+#include "stimuli/set/clip_set.h"
+#include "stimuli/set/set_study.h"
 #include "support/files/atomic_file.h"
 #include "support/text/text_bounds.h"
 
@@ -20,6 +26,7 @@ struct Piece {
   double seconds = 0;
   std::int64_t rays = 0;
   std::optional<double> worst_tile = {}, rare_light = {};
+  std::map<std::string, double> changes = {};
 };
 using Pieces = std::map<std::string, Piece>;
 
@@ -40,6 +47,7 @@ Pieces read_timings(const std::filesystem::path& set_folder, SetErrors& errors) 
         Piece& read = pieces[piece] = {line.at("seconds").get<double>(), line.at("rays").get<std::int64_t>()};
         if (line.contains("worst_tile")) read.worst_tile = line["worst_tile"].get<double>();
         if (line.contains("rare_light")) read.rare_light = line["rare_light"].get<double>();
+        if (line.contains("changes")) read.changes = line["changes"].get<std::map<std::string, double>>();
       }
     } catch (const Json::exception&) {
       continue;
@@ -54,6 +62,38 @@ int count_above(const std::vector<StimulusErrorRow>& rows, double standard_error
     return row.measured && row.estimated &&
            row.measured->rmse - standard_errors * row.measured->standard_error > *row.estimated;
   }));
+}
+
+void raise(const std::optional<double>& value, std::optional<double>& most) {
+  if (value) most = std::max(most.value_or(*value), *value);
+}
+
+/// The clips' frames, by the clips' ids; none of a set of stills.
+std::map<std::string, std::vector<std::string>> frames_of_set(const std::filesystem::path& set_folder,
+                                                              const Manifest& manifest) {
+  std::map<std::string, std::vector<std::string>> frames;
+  if (!read_clip_set(set_folder)) return frames;
+  for (const Clip& clip : list_clips(study_of_set(set_folder, manifest)))
+    for (const Stimulus& frame : clip.frames) frames[stimulus_id(clip.shown)].push_back(stimulus_id(frame));
+  return frames;
+}
+
+/// What the frames of a clip say of it: seconds of all, the worst of any, and the error of its changes.
+void add_frames(const std::vector<std::string>& frames, const Pieces& pieces, StimulusErrorRow& row) {
+  FrameChangeErrors changes;
+  for (const std::string& frame : std::set(frames.begin(), frames.end())) {
+    const auto found = pieces.find(frame);
+    if (found == pieces.end()) continue;
+    row.seconds = row.seconds.value_or(0) + found->second.seconds;
+    raise(found->second.worst_tile, row.estimated_worst_tile);
+    raise(found->second.rare_light, row.rare_light);
+    for (const auto& [before, squared] : found->second.changes) changes[{frame, before}] = squared;
+  }
+  const ClipChangeError error = clip_change_error(frames, changes);
+  row.changes = error.changes;
+  if (changes.empty() && error.known < error.changes) return;  // no error was asked for
+  row.changes_known = error.known;
+  if (error.known > 0) row.change = std::sqrt(error.squared);
 }
 
 CsvValue cell(const std::optional<double>& value) {
@@ -93,6 +133,8 @@ SetErrors read_set_errors(const std::filesystem::path& set_folder) {
     if (name.starts_with("reference-") || name.starts_with("truth-")) errors.rays += piece.rays;
   }
   const TrueErrors measured = read_true_errors(set_folder);
+  const auto frames = frames_of_set(set_folder, manifest);
+  errors.of_clips = !frames.empty();
   for (const ManifestStimulus& record : manifest.stimuli) {
     StimulusErrorRow row{.id = record.id,
                          .artifact = record.stimulus.artifact,
@@ -107,8 +149,10 @@ SetErrors read_set_errors(const std::filesystem::path& set_folder) {
       row.seconds = found->second.seconds;
       row.estimated_worst_tile = found->second.worst_tile;
       row.rare_light = found->second.rare_light;
-      errors.seconds.stimuli += found->second.seconds;
     }
+    if (const auto found = frames.find(record.id); found != frames.end())
+      add_frames(found->second, pieces, row);
+    errors.seconds.stimuli += row.seconds.value_or(0);
     if (const auto found = measured.find(record.id);
         found != measured.end() && found->second.picture_sha256 == record.sha256)
       row.measured = found->second;
@@ -121,6 +165,7 @@ SetErrors read_set_errors(const std::filesystem::path& set_folder) {
 /// Why a stimulus ended above the error that was asked for.
 static std::string_view reason(const StimulusErrorRow& row) {
   constexpr int most_spp = 1 << 14;
+  if (row.changes > 0) return "frames between the four that decided need more samples";
   return row.spp >= most_spp ? "its pixels have all the samples that they may have"
                              : "more samples of the depth mesh did not lower it";
 }
@@ -157,6 +202,21 @@ std::vector<std::string> sentences_on_rare_light(const SetErrors& errors) {
       rare, errors.rows.size(), examples, rare > 3 ? " ..." : "")};
 }
 
+std::vector<std::string> sentences_on_changes(const SetErrors& errors) {
+  const StimulusErrorRow* worst = nullptr;
+  int known = 0, changes = 0;
+  for (const StimulusErrorRow& row : errors.rows) {
+    changes += row.changes;
+    known += row.changes_known;
+    if (row.change && (worst == nullptr || *row.change > *worst->change)) worst = &row;
+  }
+  if (worst == nullptr) return {};
+  return {fmt::format(
+      "Error of the change from frame to frame, estimated from the samples of {} of {} changes: at most {:.4f} "
+      "over a clip ({}).",
+      known, changes, *worst->change, worst->id)};
+}
+
 CsvTable errors_table(const SetErrors& errors) {
   CsvTable table{
       .name = "errors",
@@ -173,6 +233,12 @@ CsvTable errors_table(const SetErrors& errors) {
                   {"true_worst_tile", "display units", "true error in the worst 32 x 32 tile"},
                   {"reference_samples", "per pixel", "of the path reference"}},
       .rows = {}};
+  if (errors.of_clips)
+    for (CsvColumn column :
+         {CsvColumn{"change_error", "display units", "estimated RMSE of the change from frame to frame"},
+          CsvColumn{"changes_known", "", "changes that it is known of"},
+          CsvColumn{"changes", "", "of the clip"}})
+      table.columns.push_back(std::move(column));
   for (const StimulusErrorRow& row : errors.rows) {
     std::vector<CsvValue> cells = {row.id,
                                    cell(row.seconds),
@@ -185,7 +251,11 @@ CsvTable errors_table(const SetErrors& errors) {
       for (CsvValue value : {CsvValue(m->rmse), CsvValue(m->standard_error), CsvValue(m->worst_tile),
                              CsvValue(std::int64_t{m->reference_spp})})
         cells.push_back(std::move(value));
-    cells.resize(table.columns.size());
+    cells.resize(11);
+    if (errors.of_clips)
+      for (CsvValue value :
+           {cell(row.change), CsvValue(std::int64_t{row.changes_known}), CsvValue(std::int64_t{row.changes})})
+        cells.push_back(std::move(value));
     table.rows.push_back(std::move(cells));
   }
   return table;

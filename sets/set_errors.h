@@ -19,7 +19,9 @@ struct StimulusErrorRow {
   std::int64_t rays = 0;
   int spp = 0;
   std::optional<double> estimated, estimated_worst_tile;
-  std::optional<double> rare_light;  ///< `rare_light_share`
+  std::optional<double> rare_light;    ///< `rare_light_share`
+  std::optional<double> change = {};   ///< of a clip: estimated, of the change from frame to frame
+  int changes_known = 0, changes = 0;  ///< how many of its changes that is known of
   std::optional<TrueErrorRecord> measured;
 };
 
@@ -40,6 +42,7 @@ struct SetErrors {
   SetSeconds seconds;
   std::int64_t rays = 0;  ///< of everything
   std::vector<StimulusErrorRow> rows;
+  bool of_clips = false;
 
   [[nodiscard]] int measured() const;
   [[nodiscard]] int above_estimate() const;          ///< of the measured: the true error exceeds the estimate
@@ -57,6 +60,9 @@ struct SetErrors {
 /// Which stimuli's estimated errors hang on a few pixels (`much_rare_light`), and what to do. Empty where
 /// none do.
 [[nodiscard]] std::vector<std::string> sentences_on_rare_light(const SetErrors& errors);
+
+/// What is known of the error of clips, over their frames and of the changes between them. Empty of stills.
+[[nodiscard]] std::vector<std::string> sentences_on_changes(const SetErrors& errors);
 
 /// One row a stimulus.
 [[nodiscard]] CsvTable errors_table(const SetErrors& errors);

@@ -134,6 +134,10 @@ InputHashes::InputHashes(const StudyDefinition& study, const RenderSettings& set
                           RayDevice::instruction_set(), study.width_px, study.height_px,
                           amount_of_work(settings), settings.seed)),
       mesh_(settings.mesh) {
+  if (study.clip && settings.error) {  // frames are sampled alike, as all of them decide
+    common_ += " " + canonical_text(*study.clip);
+    for (const double level : study.level.values) common_ += fmt::format(" {}", level);
+  }
   SceneFileHashes hashes;
   for (const SceneDefinition& truth : list_truths(study)) truths_[truth.truth] = scene_inputs(truth, hashes);
   for (const Stimulus& stimulus : list_stimuli(study)) {

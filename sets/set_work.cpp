@@ -102,4 +102,21 @@ double total_weight(const SetWork& work, const WorkWeights& weights) {
          static_cast<double>(work.pending.size()) * weights.stimulus;
 }
 
+RenderSettings render_settings(const StudyDefinition& study, const RenderRequest& request) {
+  bool sets_mesh = study.level.quantity == Quantity::mesh_tolerance;
+  for (const ConditionDefinition& condition : study.conditions)
+    sets_mesh = sets_mesh || condition.depth.mesh != study.depth.mesh ||
+                condition.depth.mesh_tolerance != study.depth.mesh_tolerance;
+  if (request.mesh && sets_mesh)
+    throw input_error({.field = "--mesh",
+                       .wanted = "a study whose conditions and levels leave the mesh to the command line",
+                       .found = study.file.string() + ", which varies it"});
+  return {.spp = request.spp.value_or(study.samples_per_pixel),
+          .seed = study.seed,
+          .mesh = request.mesh,
+          .estimator = request.estimator,
+          .error = request.error,
+          .omit = request.omit};
+}
+
 }  // namespace seamline::renderer

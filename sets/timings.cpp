@@ -22,6 +22,7 @@ void Timings::write(double total_seconds) const {
     Json& line = json["pieces"][piece.name] = {{"seconds", piece.seconds}, {"rays", piece.rays}};
     if (piece.notes.worst_tile) line["worst_tile"] = *piece.notes.worst_tile;
     if (piece.notes.rare_light) line["rare_light"] = *piece.notes.rare_light;
+    if (!piece.notes.changes.empty()) line["changes"] = piece.notes.changes;
   }
   write_file_atomically(path_, json.dump(1) + "\n");
 }

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,7 +11,8 @@ namespace seamline::renderer {
 /// What else is known of a stimulus' estimated error.
 struct ErrorNotes {
   std::optional<double> worst_tile = {};
-  std::optional<double> rare_light = {};  ///< `rare_light_share`, where an error was asked for
+  std::optional<double> rare_light = {};       ///< `rare_light_share`, where an error was asked for
+  std::map<std::string, double> changes = {};  ///< of a clip's frame: `FrameChanges::add`
 };
 
 /// `SET/timings.json`: how long each piece of a set took, on which machine, and a stimulus' estimated error

@@ -138,6 +138,8 @@ void say_of_whole_set(const StudyDefinition& study, const RenderRequest& request
   if (asked_error > 0)
     for (const std::string& said : sentences_on_missed(read_set_errors(request.set_folder), asked_error))
       fmt::print("{}\n", said);
+  for (const std::string& said : sentences_on_changes(read_set_errors(request.set_folder)))
+    fmt::print("{}\n", said);
   for (const std::string& said : sentences_on_rare_light(read_set_errors(request.set_folder)))
     fmt::print("{}\n", said);
   for (const std::string& said : notes_on_levels(study)) fmt::print("{}\n", said);

@@ -16,6 +16,27 @@ ByteImage click_map(const TruthScene& scene) {
   return ids;
 }
 
+namespace {
+
+std::logic_error decides_nothing() {
+  return std::logic_error("an estimator that samples all blocks alike was asked for a decision");
+}
+
+}  // namespace
+
+PhotographDecision SceneEstimator::photograph_decision(const ReportProgress&) {
+  throw decides_nothing();
+}
+
+void SceneEstimator::hold_to(const PhotographDecision&) {
+  throw decides_nothing();
+}
+
+EstimatedStimulus SceneEstimator::decided_stimulus(const Recipe&, const DepthWorld&, const StimulusDecision&,
+                                                   const ReportProgress&) {
+  throw decides_nothing();
+}
+
 std::unique_ptr<SceneEstimator> make_estimator(Estimator kind, const TruthScene& scene,
                                                const EstimateOptions& options) {
   switch (kind) {

@@ -4,8 +4,10 @@
 #include <optional>
 
 #include "raytracer/common/byte_stream.h"
+#include "raytracer/error/change_error.h"
 #include "renderer/depth/occlusion_test.h"
 #include "renderer/estimators/estimator_choices.h"
+#include "renderer/estimators/sample_decision.h"
 #include "renderer/picture/composite.h"
 #include "renderer/transport/omissions.h"
 #include "renderer/transport/scene_geometry.h"
@@ -37,6 +39,8 @@ struct EstimatedStimulus {
   StimulusSums sums;
   std::optional<double> rmse;        ///< estimated error, noise and bias, display units; none: not known
   std::optional<double> worst_tile;  ///< the same in the worst 32 x 32 tile
+  std::optional<StimulusDecision> decision = {};  ///< how it was sampled; none: as often everywhere
+  std::optional<ErrorMap> error_map = {};         ///< where it was asked for (`keeps_error_maps`)
 };
 
 using ReportProgress = std::function<void(double share_done)>;
@@ -61,6 +65,15 @@ class SceneEstimator {
   /// A stimulus of the object taken. The mesh of `depth` may be null when the recipe asks nothing of it.
   [[nodiscard]] virtual EstimatedStimulus stimulus(const Recipe& recipe, const DepthWorld& depth,
                                                    const ReportProgress& progress) = 0;
+  /// How the photograph is sampled, decided by this scene alone.
+  [[nodiscard]] virtual PhotographDecision photograph_decision(const ReportProgress& progress);
+  /// From now on the photograph is sampled as was decided for several scenes, this one among them. Before
+  /// anything else is asked, or after `photograph_decision`, whose samples are kept.
+  virtual void hold_to(const PhotographDecision& decision);
+  /// A stimulus that is sampled as was decided.
+  [[nodiscard]] virtual EstimatedStimulus decided_stimulus(const Recipe& recipe, const DepthWorld& depth,
+                                                           const StimulusDecision& decision,
+                                                           const ReportProgress& progress);
   /// Into how many pieces its truth is written: one for all objects, or one for each of the three.
   [[nodiscard]] virtual int truth_pieces() const = 0;
   /// What was made of the truth, so that other processes need not make it again; piece 1 to `truth_pieces`.

@@ -15,10 +15,11 @@ struct EstimateOptions {
   std::optional<double> error = {};  ///< display units: sample until the picture's estimated error is below
   std::uint64_t seed = 1;
   int threads = 1;
-  bool who_is_in_front = false;  ///< some stimulus asks the depth mesh what hides the object
-  bool depth_bounces = false;    ///< some stimulus asks the depth mesh for bounce light
-  double most_mesh_albedo = 0;   ///< of depth meshes that are painted from a photograph; 0: there are none
-  Omissions omit = {};           ///< what the fast estimator leaves out
+  bool who_is_in_front = false;   ///< some stimulus asks the depth mesh what hides the object
+  bool depth_bounces = false;     ///< some stimulus asks the depth mesh for bounce light
+  double most_mesh_albedo = 0;    ///< of depth meshes that are painted from a photograph; 0: there are none
+  Omissions omit = {};            ///< what the fast estimator leaves out
+  bool keeps_error_maps = false;  ///< with each stimulus of the fast estimator, for the error of changes
 };
 
 /// Everything that an estimator decides about a scene before it has seen a sample: how many samples, which

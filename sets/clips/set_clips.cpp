@@ -1,6 +1,7 @@
 #include "sets/clips/set_clips.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -34,18 +35,21 @@ ClipRecord write_clip(const fs::path& set_folder, const std::string& name, const
   return {.name = name, .file = file, .sha256 = sha256(bytes)};
 }
 
-/// What the manifest says of a clip: its middle frame, the rays of all, and the worst that any has.
+/// What the manifest says of a clip: its middle frame, the rays of all, the error over all, and the worst
+/// else that any has.
 ManifestStimulus record_of_clip(const Clip& clip, const std::vector<const ManifestStimulus*>& frames) {
   ManifestStimulus record = *frames[frames.size() / 2];
   record.id = stimulus_id(clip.shown);
   record.stimulus = clip.shown;
   record.rays = 0;
   record.tiny_denominators = {};
+  double square = 0;
+  for (const ManifestStimulus* frame : frames) square += std::pow(frame->rmse.value_or(0), 2);
+  if (record.rmse) record.rmse = std::sqrt(square / static_cast<double>(frames.size()));
   std::set<const ManifestStimulus*> counted;
   for (const ManifestStimulus* frame : frames) {
     if (!counted.insert(frame).second) continue;
     record.rays += frame->rays;
-    if (frame->rmse) record.rmse = std::max(record.rmse.value_or(0), *frame->rmse);
     record.clipped_share = std::max(record.clipped_share, frame->clipped_share);
     record.tiny_denominators.floored_pixels += frame->tiny_denominators.floored_pixels;
     record.tiny_denominators.clamped_pixels += frame->tiny_denominators.clamped_pixels;

@@ -65,8 +65,7 @@ std::string row_text(const StimulusErrorRow& row) {
   const auto& m = row.measured;
   const bool above = m && row.estimated && m->rmse > *row.estimated;
   return fmt::format(
-      "<tr><td>{}</td><td>{}</td><td>{:.2f}</td><td>{}</td><td>{}</td><td>{}</td><td{}>{}</td><td>{}</td></"
-      "tr>\n",
+      "<tr><td>{}</td><td>{}</td><td>{:.2f}</td><td>{}</td><td>{}</td><td>{}</td><td{}>{}</td><td>{}</td>",
       html_escape(row.id), number(row.seconds, 2), static_cast<double>(row.rays) * 1e-6, row.spp,
       number(row.estimated, 4), number(row.estimated_worst_tile, 4), above ? " class=\"above\"" : "",
       m ? fmt::format("{:.4f} &plusmn; {:.4f}", m->rmse, m->standard_error) : "&ndash;",
@@ -80,20 +79,29 @@ std::string rare_light(const SetErrors& errors) {
   return text;
 }
 
+std::string changes(const SetErrors& errors) {
+  std::string text;
+  for (const std::string& said : sentences_on_changes(errors)) text += "<p>" + html_escape(said) + "</p>\n";
+  return text;
+}
+
 std::string table(const SetErrors& errors) {
   std::string text =
       "<div class=\"scroll\"><table><thead><tr><th>stimulus</th><th>seconds</th><th>million rays</th>"
       "<th>samples a pixel</th><th>estimated error</th><th>in the worst tile</th><th>true error</th>"
-      "<th>in the worst tile</th></tr></thead><tbody>\n";
+      "<th>in the worst tile</th>";
+  if (errors.of_clips) text += "<th>of changes between frames</th>";
+  text += "</tr></thead><tbody>\n";
   std::int64_t rays = 0;
   for (const StimulusErrorRow& row : errors.rows) {
-    text += row_text(row);
+    text += row_text(row) + (errors.of_clips ? "<td>" + number(row.change, 4) + "</td>" : "") + "</tr>\n";
     rays += row.rays;
   }
   return text + fmt::format(
                     "</tbody><tfoot><tr><td>{} stimuli</td><td>{:.1f}</td><td>{:.1f}</td><td></td><td></td>"
-                    "<td></td><td></td><td></td></tr></tfoot></table></div>\n",
-                    errors.rows.size(), errors.seconds.stimuli, static_cast<double>(rays) * 1e-6);
+                    "<td></td><td></td><td></td>{}</tr></tfoot></table></div>\n",
+                    errors.rows.size(), errors.seconds.stimuli, static_cast<double>(rays) * 1e-6,
+                    errors.of_clips ? "<td></td>" : "");
 }
 
 /// Of each artifact the measured stimulus with the largest worst tile, its picture inside the page.
@@ -133,7 +141,7 @@ void write_errors_page(const fs::path& set_folder) {
               "error is against the path estimator with another seed, without that reference's noise, plus "
               "or minus its standard error; the rounding to 8 bits (0.0011) is part of it. A true error "
               "above its estimate is in orange.</p>\n" +
-              rare_light(errors) + table(errors) + worst_tiles(set_folder, errors)));
+              rare_light(errors) + changes(errors) + table(errors) + worst_tiles(set_folder, errors)));
 }
 
 }  // namespace seamline::renderer

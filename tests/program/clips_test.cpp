@@ -35,12 +35,12 @@ std::string still_study(const std::string& x_m) {
 
 /// Renders some stimuli of a study in a folder of its own; returns the set.
 fs::path rendered(const std::string& name, const std::string& study,
-                  const std::string& options = "--threads 2") {
+                  const std::string& options = "--threads 2", const std::string& samples = "--spp 2") {
   const fs::path folder = test::fresh_folder("clips_" + name);
   test::write_small_study(folder, study);
   const auto ran =
       test::run_seamline("render " + (folder / "study.toml").string() + " --out " +
-                         (folder / "set").string() + " --spp 2 --only gazebo-shadow-* " + options);
+                         (folder / "set").string() + " " + samples + " --only gazebo-shadow-* " + options);
   EXPECT_EQ(ran.status, 0) << ran.output;
   return folder / "set";
 }
@@ -78,6 +78,36 @@ TEST(RenderedClips, AtSpeedZeroTheStillIsRenderedOnce) {
   const fs::path still = rendered("still", still_study("-3.0"));
   EXPECT_TRUE(frame_of(clips, "lion", "@000") == frame_of(still, "lion", ""));
   EXPECT_FALSE(fs::exists(clips / "stimuli" / "gazebo-shadow-lion@001-0064.png"));
+}
+
+TEST(RenderedClips, WithAnErrorAClipOfAStillHasTheStillsBytes) {
+  const fs::path clips = rendered("zero_error", moving_study("", "0"), "--threads 1", "--error 0.05");
+  const fs::path still = rendered("still_error", still_study("-3.0"), "--threads 2", "--error 0.05");
+  for (const std::string object : {"beast", "lion", "dragon"})
+    EXPECT_TRUE(frame_of(clips, object, "@000") == frame_of(still, object, "")) << object;
+}
+
+TEST(RenderedClips, AnErrorIsReachedOverEachClipAndThatOfItsChangesIsTold) {
+  const std::string study = moving_study("", "0.5");
+  const fs::path whole = rendered("error", study, "--threads 1", "--error 0.05");
+  for (const Json& clip : Json::parse(test::read_text(whole / "manifest.json")).at("stimuli"))
+    EXPECT_LE(clip.at("rmse").get<double>(), 0.05 * 1.02) << clip.at("id");
+  const std::string errors = test::read_text(whole / "errors.csv");
+  EXPECT_NE(errors.find(",change_error,changes_known,changes\n"), std::string::npos) << errors;
+  EXPECT_NE(errors.find(",2,2\n"), std::string::npos)
+      << "two changes of three frames, both known: " << errors;
+  const fs::path pieces = rendered("error_pieces", study, "--threads 2 --shard 2/2", "--error 0.05");
+  const auto rest =
+      test::run_seamline("render " + (pieces.parent_path() / "study.toml").string() + " --out " +
+                         pieces.string() + " --error 0.05 --only gazebo-shadow-* --threads 2 --shard 1/2");
+  EXPECT_EQ(rest.status, 0) << rest.output;
+  EXPECT_EQ(test::read_text(whole / "manifest.json"), test::read_text(pieces / "manifest.json"));
+  EXPECT_EQ(test::read_text(whole / "clips.json"), test::read_text(pieces / "clips.json"));
+  const auto by_path =
+      test::run_seamline("render " + (whole.parent_path() / "study.toml").string() + " --out " +
+                         (whole.parent_path() / "path").string() + " --error 0.05 --estimator path");
+  EXPECT_EQ(by_path.status, 1);
+  EXPECT_NE(by_path.output.find("--spp"), std::string::npos) << by_path.output;
 }
 
 TEST(RenderedClips, ADelayOfOneFrameHasTheMeshOfTheFrameBefore) {

@@ -35,6 +35,7 @@ class FastEstimator : public SceneEstimator {
         seed_(options.seed),
         threads_(options.threads),
         seen_(find_seen_emission(scene_, threads_)),
+        keeps_error_maps_(options.keeps_error_maps),
         scene_geometry_(std::make_unique<const SceneGeometry>(scene_)),
         sums_(empty_sums(scene.camera)) {
     judged_.strength = choices_.filters.size() - 1;
@@ -58,6 +59,7 @@ class FastEstimator : public SceneEstimator {
     geometry_.emplace(object_geometry(scene_, object_index));
     object_index_ = object_index;
     truth_ = truth_sums_of(object_index, filter());
+    if (keeps_error_maps_) find_filtered(object_index);
   }
 
   [[nodiscard]] const ObjectGeometry& geometry() const override { return *geometry_; }
@@ -67,16 +69,28 @@ class FastEstimator : public SceneEstimator {
                              const ReportProgress& progress) override {
     FastStimulusOptions options{.seed = seed_, .threads = threads_, .filter = filter(), .progress = progress};
     if (choices_.error) options.target = ErrorTarget{*choices_.error};
-    const ObjectTruth truth{.scene = scene_,
-                            .scene_sums = sums_,
-                            .geometry = *geometry_,
-                            .object_index = object_index_,
-                            .truth_sums = truth_,
-                            .error = judged_.error(object_index_),
-                            .seen = seen_.get()};
-    FastStimulus made = render_fast_stimulus(truth, depth, recipe, choices_, options);
-    add(made.saved);
-    return {std::move(made.sums), made.error.rmse(), made.error.worst_tile()};
+    return estimated(recipe, depth, options);
+  }
+
+  [[nodiscard]] PhotographDecision photograph_decision(const ReportProgress& progress) override {
+    sample(progress);
+    return {sums_.spp, judged_.strength};
+  }
+
+  void hold_to(const PhotographDecision& decision) override {
+    held_ = decision;
+    if (!scene_geometry_) scene_geometry_ = std::make_unique<const SceneGeometry>(scene_);
+  }
+
+  [[nodiscard]] EstimatedStimulus decided_stimulus(const Recipe& recipe, const DepthWorld& depth,
+                                                   const StimulusDecision& decision,
+                                                   const ReportProgress& progress) override {
+    return estimated(recipe, depth,
+                     {.seed = seed_,
+                      .threads = threads_,
+                      .filter = filter(),
+                      .decision = &decision,
+                      .progress = progress});
   }
 
   [[nodiscard]] int truth_pieces() const override { return 1; }
@@ -123,6 +137,36 @@ class FastEstimator : public SceneEstimator {
   }
 
  private:
+  EstimatedStimulus estimated(const Recipe& recipe, const DepthWorld& depth, FastStimulusOptions options) {
+    const ObjectTruth truth{.scene = scene_,
+                            .scene_sums = sums_,
+                            .geometry = *geometry_,
+                            .object_index = object_index_,
+                            .truth_sums = truth_,
+                            .error = judged_.error(object_index_),
+                            .seen = seen_.get()};
+    options.keeps_pictures = keeps_error_maps_;
+    FastStimulus made = render_fast_stimulus(truth, depth, recipe, choices_, options);
+    add(made.saved);
+    EstimatedStimulus out{std::move(made.sums), made.error.rmse(), made.error.worst_tile(),
+                          std::move(made.decision)};
+    if (keeps_error_maps_)
+      out.error_map =
+          error_map(made.pictures, filtered_, scene_.definition.exposure_ev, threads_, sums_.grid.wraps);
+    return out;
+  }
+
+  /// What the filter changed in the photograph of an object, in each half.
+  void find_filtered(int object_index) {
+    filtered_ = {};
+    if (judged_.strength == 0) return;
+    filtered_ = photograph_halves(truth_).with_object;
+    const PhotographHalves sampled = photograph(object_index, no_filter);
+    for (std::size_t half = 0; half < 2; ++half)
+      for (std::size_t i = 0; i < filtered_[half].values.size(); ++i)
+        filtered_[half].values[i] -= sampled.with_object[half].values[i];
+  }
+
   void add(const Savings& stimulus) {
     saved_.depth += stimulus.depth;
     saved_.stimuli += stimulus.stimuli;
@@ -146,6 +190,7 @@ class FastEstimator : public SceneEstimator {
     options.progress = [&](double share) {
       if (progress) progress(done + part * share);
     };
+    if (held_) return sample_as_held(options);
     std::vector<int> wanted(sums_.spp.size(), choices_.first_spp);
     add_samples(scene_, *scene_geometry_, wanted, options, sums_);
     std::optional<ErrorTarget> target;
@@ -162,6 +207,14 @@ class FastEstimator : public SceneEstimator {
     for (int k = 1; k <= 3; ++k)  // those never looked at, because the first object never was good enough
       if (judged_.error(k).tiles.empty())
         judged_.error(k) = error_with(k, judged_.strength, photograph(k, no_filter));
+    scene_geometry_.reset();
+  }
+
+  void sample_as_held(const ScenePassOptions& options) {
+    add_samples(scene_, *scene_geometry_, held_->spp, options, sums_);
+    judged_.strength = held_->strength;
+    const PhotographHalves sampled = photograph(1, no_filter);
+    for (int k = 1; k <= 3; ++k) judged_.error(k) = error_with(k, judged_.strength, sampled);
     scene_geometry_.reset();
   }
 
@@ -235,14 +288,17 @@ class FastEstimator : public SceneEstimator {
   const TruthScene scene_;  ///< with the light that is followed
   const std::uint64_t seed_;
   const int threads_;
-  const std::shared_ptr<const SeenEmission> seen_;       ///< null: nothing small that emits is in view
+  const std::shared_ptr<const SeenEmission> seen_;  ///< null: nothing small that emits is in view
+  const bool keeps_error_maps_;
+  std::optional<PhotographDecision> held_;               ///< in place of rounds
   std::unique_ptr<const SceneGeometry> scene_geometry_;  ///< until the truth pass is done
   SceneSums sums_;
   PhotographJudgement judged_;
   int object_index_ = 0;
   std::optional<ObjectGeometry> geometry_;
   TruthSums truth_;
-  Savings saved_;  ///< by stimuli
+  std::array<Image, 2> filtered_;  ///< what the filter changed in the photograph of the object taken
+  Savings saved_;                  ///< by stimuli
 };
 
 }  // namespace

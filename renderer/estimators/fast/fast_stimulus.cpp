@@ -52,8 +52,9 @@ class StimulusRounds {
 
   FastStimulus run() {
     FastStimulus out;
-    DepthSamples wanted = first_samples();
-    bool looks_for_bias = false;
+    DepthSamples wanted = options_.decision != nullptr ? decided_samples() : first_samples();
+    bool looks_for_bias = options_.decision != nullptr;
+    if (options_.decision != nullptr) filtered_ = options_.decision->filtered;
     for (int round = 0;; ++round) {
       ask_depth(sampler_, wanted, shows_object_, options_.threads, round == 0 ? options_.progress : nullptr,
                 depth_);
@@ -86,6 +87,8 @@ class StimulusRounds {
     }
     out.saved = savings();
     out.taken = taken();
+    out.decision = {depth_.spp.uncovered, depth_.spp.object, filtered_};
+    out.pictures = std::move(kept_);
     if (choices_.asks_untouched_tiles) out.sums = with_untouched_tiles();
     return out;
   }
@@ -208,6 +211,17 @@ class StimulusRounds {
     return wanted;
   }
 
+  /// As was decided; a block that the object was not in when it was has as many as the photograph on it.
+  [[nodiscard]] DepthSamples decided_samples() const {
+    DepthSamples wanted = first_samples();
+    for (std::size_t b = 0; b < wanted.uncovered.size(); ++b) {
+      const int uncovered = options_.decision->uncovered[b], object = options_.decision->object[b];
+      if (wanted.uncovered[b] > 0) wanted.uncovered[b] = std::max(wanted.uncovered[b], uncovered);
+      if (wanted.object[b] > 0) wanted.object[b] = object > 0 ? object : truth_.scene_sums.spp[b];
+    }
+    return wanted;
+  }
+
   [[nodiscard]] bool good_enough(const ErrorEstimate& error) const {
     return !options_.target || options_.target->met_by(error);
   }
@@ -292,7 +306,7 @@ class StimulusRounds {
   /// Noise from the picture's halves; bias of the photograph's filter, and of the depth mesh's own. That one
   /// is looked for when the noise is low enough, or with `look_for_bias`: it takes twice as long, and needs
   /// samples itself.
-  [[nodiscard]] Judged judge(const StimulusSums& made, bool look_for_bias, int round) const {
+  [[nodiscard]] Judged judge(const StimulusSums& made, bool look_for_bias, int round) {
     HalfPictures pictures;
     for (std::size_t half = 0; half < 2; ++half)
       pictures.filtered[half] = compose_half(made, half, options_.threads).picture;
@@ -301,7 +315,10 @@ class StimulusRounds {
     if (!filtered || !look_for_bias) {
       pictures.sampled = pictures.filtered;
       ErrorEstimate noise = with_bias_of_truth(pictures);
-      if (!filtered) return {{std::move(noise), {}}, true};
+      if (!filtered) {
+        keep(pictures);
+        return {{std::move(noise), {}}, true};
+      }
       if (!good_enough(noise) && !may_be_wells(made, noise, round)) return {{std::move(noise), {}}, false};
     }
     for (std::size_t half = 0; half < 2; ++half) {  // one at a time in memory
@@ -310,10 +327,15 @@ class StimulusRounds {
       sampled.light_as_sampled[half] = made.light_as_sampled[half];
       pictures.sampled[half] = compose_half(sampled, half, options_.threads).picture;
     }
+    keep(pictures);
     ErrorEstimate error = with_bias_of_truth(pictures);
     pictures.filtered = pictures.sampled;
     pictures.whole = {};  // nobody has put it together
     return {{std::move(error), with_bias_of_truth(pictures)}, true};
+  }
+
+  void keep(const HalfPictures& pictures) {
+    if (options_.keeps_pictures) kept_ = pictures;
   }
 
   [[nodiscard]] ErrorEstimate with_bias_of_truth(const HalfPictures& pictures) const {
@@ -335,6 +357,7 @@ class StimulusRounds {
   std::vector<char> shows_object_;  ///< a flag a pixel
   TileSet filtered_;                ///< tiles where light of the depth mesh is filtered
   SampleResponse response_;
+  HalfPictures kept_;  ///< of the last judgement
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "renderer/estimators/fast/fast_depth_pass.h"
 #include "renderer/estimators/fast/object_truth.h"
 #include "renderer/estimators/fast/truth_sums.h"
+#include "renderer/estimators/sample_decision.h"
 
 namespace seamline::renderer {
 
@@ -16,14 +17,18 @@ struct FastStimulusOptions {
   std::optional<ErrorTarget> target = {};       ///< none: as many samples as the photograph has
   FilterStrength filter = no_filter;            ///< of bounce light on the object: the photograph's
   std::optional<Compositing> compositing = {};  ///< none: as the world of depth says
+  const StimulusDecision* decision = nullptr;   ///< in place of a target: how it is sampled
+  bool keeps_pictures = false;                  ///< those that its error is estimated from
   std::function<void(double share_done)> progress = {};
 };
 
 struct FastStimulus {
   StimulusSums sums;
   ErrorEstimate error;
-  Savings saved;       ///< what concerns this stimulus alone
-  SamplesTaken taken;  ///< of the depth mesh, by the samples of a block's pixels that had most
+  Savings saved;              ///< what concerns this stimulus alone
+  SamplesTaken taken;         ///< of the depth mesh, by the samples of a block's pixels that had most
+  StimulusDecision decision;  ///< how it was sampled
+  HalfPictures pictures;      ///< where they are kept
 };
 
 /// Renders one stimulus from the truth's sums and what the depth mesh answers. The photograph and what the
