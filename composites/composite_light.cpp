@@ -50,11 +50,16 @@ void raise_clipped(const CompositeRequest& request, const Geometry& depth, float
   const ClippedSources found = find_clipped_sources(panorama, depth, white, request.threads);
   if (found.factor < worth_it) return;
   raise_clipped_sources(panorama, white, found.factor);
-  notes.say(fmt::format(
+  std::string said = fmt::format(
       "what is white in the panorama ({:.2g} % of all directions) is taken as light sources {:.3g} "
-      "times as bright, since surfaces there would be whiter than white otherwise "
-      "(--clipped-light says another factor; 1: as it is shown)",
-      100 * found.share, found.factor));
+      "times as bright, since surfaces there would be whiter than white otherwise",
+      100 * found.share, found.factor);
+  if (found.factor_of_grey > worth_it * found.factor)
+    said += fmt::format(
+        ". If these surfaces are grey (albedo 0.5) and not white, --clipped-light {:.3g} is right, and "
+        "shadows are deeper",
+        found.factor_of_grey);
+  notes.say(said);
 }
 
 /// The light that exists only with the objects; none where it does not shine.

@@ -2,7 +2,9 @@
 
 blender -b --factory-startup -P cycles_picture.py -- SCENE.glb OUT.exr KEY=VALUE...
 
-width, height, spp, bounces, seed, threads; map (an EXR file) and rotation (degrees, as of --environment-rotation);
+width, height, spp, bounces, seed, threads; map (an EXR file) and rotation (degrees, as of --environment-rotation), or environment=R,G,B;
+look_at=X,Y,Z and fov (horizontal, degrees): a camera in the origin in place of the file's; objects=FILE:X:Y:Z;... more files, moved there;
+exposure (stops): of OUT.png, whose codes are sRGB's;
 materials: diffuse      base colours alone, Lambert's law (seamline's --materials diffuse)
            gltf         seamline's: Lambert's law below a layer of GGX, which keeps from it what it sends back itself (a table of the viewer's
                         cosine and the roughness, integrated here); the layer and metals are Principled's speculars
@@ -16,6 +18,7 @@ import sys
 import time
 
 import bpy
+import mathutils
 import numpy
 
 if not hasattr(numpy, "bool"):
@@ -25,7 +28,7 @@ if not hasattr(numpy, "bool"):
 def settings(arguments):
     scene_file, out = arguments[:2]
     values = {"width": 480, "height": 270, "spp": 64, "bounces": 4, "seed": 1, "threads": 0, "map": "", "rotation": 0.0,
-              "materials": "gltf", "multiple": 1, "specular": 0.5}
+              "materials": "gltf", "multiple": 1, "specular": 0.5, "environment": "", "look_at": "", "fov": 40.0, "objects": "", "exposure": 0.0}
     for argument in arguments[2:]:
         key, value = argument.split("=", 1)
         if key not in values:
@@ -34,14 +37,14 @@ def settings(arguments):
     return scene_file, out, values
 
 
-def set_world(path, rotation_deg):
+def set_world(path, rotation_deg, constant):
     world = bpy.data.worlds.new("world")
     bpy.context.scene.world = world
     world.use_nodes = True
     nodes, links = world.node_tree.nodes, world.node_tree.links
     background = nodes["Background"]
     if not path:
-        background.inputs["Strength"].default_value = 0
+        background.inputs["Color"].default_value = [float(v) for v in constant.split(",")] + [1] if constant else (0, 0, 0, 1)
         return
     texture = nodes.new("ShaderNodeTexEnvironment")
     texture.image = bpy.data.images.load(path)
@@ -173,19 +176,44 @@ def by_words_of_gltf(material, values):
     links.new(added.outputs[0], output.inputs["Surface"])
 
 
+def in_blender(x, y, z):
+    """glTF's y is up, Blender's z."""
+    return mathutils.Vector((x, -z, y))
+
+
+def look_at(place, fov_deg):
+    camera = bpy.data.objects.new("view", bpy.data.cameras.new("view"))
+    camera.data.sensor_fit, camera.data.angle = "HORIZONTAL", math.radians(fov_deg)
+    camera.data.clip_start = 0.01
+    camera.rotation_euler = in_blender(*(float(v) for v in place.split(","))).to_track_quat("-Z", "Y").to_euler()
+    bpy.context.scene.collection.objects.link(camera)
+    return camera
+
+
+def add_object(described):
+    file, *place = described.rsplit(":", 3)
+    before = set(bpy.context.scene.objects)
+    bpy.ops.import_scene.gltf(filepath=file)
+    for thing in set(bpy.context.scene.objects) - before:
+        if thing.parent is None:
+            thing.location += in_blender(*(float(v) for v in place))
+
+
 def main():
     scene_file, out, values = settings(sys.argv[sys.argv.index("--") + 1:])
     bpy.ops.wm.read_factory_settings(use_empty=True)
     bpy.ops.import_scene.gltf(filepath=scene_file)
     scene = bpy.context.scene
-    scene.camera = next(thing for thing in scene.objects if thing.type == "CAMERA")
+    for described in filter(None, values["objects"].split(";")):
+        add_object(described)
+    scene.camera = look_at(values["look_at"], values["fov"]) if values["look_at"] else next(thing for thing in scene.objects if thing.type == "CAMERA")
     for light in bpy.data.lights:
         if light.type != "SUN":
             light.shadow_soft_size = 0
     for material in bpy.data.materials:
         if material.use_nodes:
             by_words_of_gltf(material, values)
-    set_world(values["map"], values["rotation"])
+    set_world(values["map"], values["rotation"], values["environment"])
 
     render, cycles = scene.render, scene.cycles
     render.engine = "CYCLES"
@@ -202,9 +230,12 @@ def main():
     cycles.caustics_reflective = True
     cycles.light_sampling_threshold = 0
     cycles.min_light_bounces = cycles.min_transparent_bounces = values["bounces"]
-    render.image_settings.file_format = "OPEN_EXR"
-    render.image_settings.color_mode, render.image_settings.color_depth = "RGB", "32"
-    scene.view_settings.view_transform = "Raw"
+    codes = out.endswith(".png")
+    render.image_settings.file_format = "PNG" if codes else "OPEN_EXR"
+    render.image_settings.color_mode, render.image_settings.color_depth = "RGB", "8" if codes else "32"
+    scene.view_settings.view_transform = "Standard" if codes else "Raw"
+    scene.view_settings.exposure = values["exposure"]
+    render.dither_intensity = 0
     render.filepath = out
     render.use_file_extension = False
     begun = time.monotonic()

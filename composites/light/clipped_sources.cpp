@@ -1,6 +1,7 @@
 #include "composites/light/clipped_sources.h"
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -19,6 +20,7 @@ constexpr int clipped_map_px = 64, clipped_map_rows = clipped_map_px / 2, sample
 constexpr int clipped_light_px = 512;
 constexpr std::uint64_t clipped_seed = 0xc11b;
 constexpr double left_out_share = 0.02, least_clipped_part = 0.1, most_clipped_factor = 1e5;
+constexpr double grey_albedo = 0.5;
 
 bool is_clipped(const Rgb& radiance, float white) {
   return radiance.maxCoeff() >= clipped_share_of_white * white;
@@ -49,14 +51,46 @@ PartedLight parted_light(const Image& panorama, const Geometry& local, float whi
   return {light_of(std::move(clipped)), light_of(std::move(rest))};
 }
 
-/// The factor that one texel asks for, and how much of all directions it is.
-struct AskedFactor {
-  double factor = 0, solid_angle_sr = 0;
+/// What the surfaces in one texel send, and what white ones would receive there from what is clipped and from
+/// the rest: linear colours, means over the texel.
+struct SeenSurfaces {
+  Eigen::Array3d sent = Eigen::Array3d::Zero(), by_clipped = sent, by_rest = sent;
+  double solid_angle_sr = 0;
 };
 
-std::optional<AskedFactor> clipped_factor_at(const PartedLight& light, const Geometry& local,
-                                             const Image& panorama, float white, int column, int row) {
-  float sent = 0, by_clipped = 0, by_rest = 0;
+/// The least factor with which no colour of these surfaces is sent brighter than it is received.
+double factor_of_white(const SeenSurfaces& seen) {
+  double factor = 0;
+  for (int c = 0; c < 3; ++c)
+    if (seen.by_clipped[c] > least_clipped_part * seen.by_clipped.maxCoeff())
+      factor = std::max(factor, (seen.sent[c] - seen.by_rest[c]) / seen.by_clipped[c]);
+  return factor;
+}
+
+/// The factor with which these surfaces have this albedo, over all colours.
+double factor_of_albedo(const SeenSurfaces& seen, double albedo) {
+  return (seen.sent.mean() / albedo - seen.by_rest.mean()) / seen.by_clipped.mean();
+}
+
+/// What a share of the solid angle exceeds.
+double exceeded_by(double share, const std::vector<SeenSurfaces>& seen,
+                   const std::function<double(const SeenSurfaces&)>& value) {
+  std::vector<std::pair<double, double>> values;
+  double all_sr = 0, passed_sr = 0;
+  for (const SeenSurfaces& one : seen)
+    values.emplace_back(value(one), one.solid_angle_sr), all_sr += one.solid_angle_sr;
+  std::sort(values.begin(), values.end(), std::greater<>());
+  for (const auto& [number, solid_angle_sr] : values) {
+    passed_sr += solid_angle_sr;
+    if (passed_sr >= share * all_sr) return number;
+  }
+  return 0;
+}
+
+std::optional<SeenSurfaces> surfaces_at(const PartedLight& light, const Geometry& local,
+                                        const Image& panorama, float white, int column, int row) {
+  SeenSurfaces seen;
+  int met = 0;
   for (int i = 0; i < samples_of_clipped; ++i) {
     const Sampler sampler(clipped_seed, column, row, i);
     const Eigen::Array2f within = sampler.point(dimension::pixel);
@@ -72,13 +106,17 @@ std::optional<AskedFactor> clipped_factor_at(const PartedLight& light, const Geo
     std::optional<SurfacePoint> point = local.nearest({Eigen::Vector3f::Zero(), direction});
     if (!point) continue;
     point->albedo = Rgb::Ones();
-    sent += shown.mean();
-    by_clipped += leaving_pair(local, nullptr, *point, light.clipped, sampler).without_object.total().mean();
-    by_rest += leaving_pair(local, nullptr, *point, light.rest, sampler).without_object.total().mean();
+    ++met;
+    seen.sent += shown.cast<double>();
+    seen.by_clipped +=
+        leaving_pair(local, nullptr, *point, light.clipped, sampler).without_object.total().cast<double>();
+    seen.by_rest +=
+        leaving_pair(local, nullptr, *point, light.rest, sampler).without_object.total().cast<double>();
   }
-  if (!(by_clipped > static_cast<float>(least_clipped_part) * (by_clipped + by_rest))) return std::nullopt;
-  return AskedFactor{double{sent - by_rest} / double{by_clipped},
-                     texel_solid_angle_sr(row, clipped_map_px, clipped_map_rows)};
+  if (!(seen.by_clipped.mean() > 0)) return std::nullopt;
+  for (Eigen::Array3d* mean : {&seen.sent, &seen.by_clipped, &seen.by_rest}) *mean /= met;
+  seen.solid_angle_sr = texel_solid_angle_sr(row, clipped_map_px, clipped_map_rows);
+  return seen;
 }
 
 }  // namespace
@@ -93,25 +131,24 @@ ClippedSources find_clipped_sources(const Image& panorama, const Geometry& local
   }
   if (!(found.share > 0)) return found;
   const PartedLight light = parted_light(panorama, local, white);
-  std::vector<std::optional<AskedFactor>> asked(std::size_t{clipped_map_px} * std::size_t{clipped_map_rows});
+  std::vector<std::optional<SeenSurfaces>> texels(std::size_t{clipped_map_px} *
+                                                  std::size_t{clipped_map_rows});
   parallel_for(clipped_map_rows, threads, [&](int row) {
     for (int column = 0; column < clipped_map_px; ++column)
-      asked[static_cast<std::size_t>(row) * std::size_t{clipped_map_px} + static_cast<std::size_t>(column)] =
-          clipped_factor_at(light, local, panorama, white, column, row);
+      texels[static_cast<std::size_t>(row) * std::size_t{clipped_map_px} + static_cast<std::size_t>(column)] =
+          surfaces_at(light, local, panorama, white, column, row);
   });
-  std::vector<AskedFactor> factors;
-  double reached_sr = 0;
-  for (const auto& one : asked)
-    if (one) factors.push_back(*one), reached_sr += one->solid_angle_sr;
-  std::sort(factors.begin(), factors.end(),
-            [](const AskedFactor& a, const AskedFactor& b) { return a.factor > b.factor; });
-  double passed_sr = 0;
-  for (const AskedFactor& one : factors) {
-    passed_sr += one.solid_angle_sr;
-    if (passed_sr < left_out_share * reached_sr) continue;
-    found.factor = std::clamp(one.factor, 1.0, most_clipped_factor);
-    break;
-  }
+  std::vector<SeenSurfaces> reached;
+  for (const auto& texel : texels)
+    if (texel) reached.push_back(*texel);
+  // What is hardly reached says little: its factor is noise over nearly nothing.
+  const auto clipped = [](const SeenSurfaces& one) { return one.by_clipped.mean(); };
+  const double most = exceeded_by(left_out_share, reached, clipped);
+  std::erase_if(reached, [&](const SeenSurfaces& one) { return clipped(one) < least_clipped_part * most; });
+  const auto possible = [](double factor) { return std::clamp(factor, 1.0, most_clipped_factor); };
+  found.factor = possible(exceeded_by(left_out_share, reached, factor_of_white));
+  found.factor_of_grey = possible(
+      exceeded_by(0.5, reached, [](const SeenSurfaces& one) { return factor_of_albedo(one, grey_albedo); }));
   return found;
 }
 

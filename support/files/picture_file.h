@@ -17,7 +17,8 @@ struct PictureFile {
   bool floating_point = false;  ///< EXR, HDR: the values are as they are meant, not sRGB codes
   int orientation = 1;          ///< EXIF's, by which it was turned upright
   std::shared_ptr<const ColourProfile> profile;  ///< embedded, if it is another than sRGB
-  std::vector<std::string> notes;                ///< sentences without the file's name
+  bool converted = false;          ///< from other primaries: a colour beyond sRGB's has a negative part
+  std::vector<std::string> notes;  ///< sentences without the file's name
 };
 
 /// Reads EXR, HDR, PNG, JPEG or TIFF as float. 8- and 16-bit pictures are decoded from sRGB to linear. Of an
@@ -25,7 +26,8 @@ struct PictureFile {
 /// other channels of a picture are left out. A Radiance file's values are divided by its exposure. Pictures
 /// are turned upright. `accept` sees the header of what will be returned first and throws InputError at a
 /// picture that is not wanted, so that no memory is taken for it. Throws InputError naming the file.
-/// `read_image` is the same picture alone, with what is to be said on standard error.
+/// `read_image` is the same picture alone, with what is to be said on standard error; there a colour beyond
+/// sRGB's primaries has 0 for its negative part, which is said.
 [[nodiscard]] PictureFile read_picture(const std::filesystem::path& path,
                                        const std::function<void(const ImageHeader&)>& accept = {},
                                        const std::string& layer = {});

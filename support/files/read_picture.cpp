@@ -67,6 +67,7 @@ void convert_primaries(const std::array<float, 8>& stated, const std::string& wh
       values[i + c] =
           static_cast<float>(m[3 * c] * from[0] + m[3 * c + 1] * from[1] + m[3 * c + 2] * from[2]);
   }
+  file.converted = true;
   file.notes.push_back(fmt::format(
       "its {} (red {:.4g} {:.4g}, green {:.4g} {:.4g}, blue {:.4g} {:.4g}, white {:.4g} {:.4g}) are converted to "
       "those of sRGB",
@@ -87,6 +88,7 @@ void convert_primaries_of(const HdrHeader& hdr, PictureFile& file) {
             static_cast<float>(srgb_from_xyz[3 * c] * from[0] + srgb_from_xyz[3 * c + 1] * from[1] +
                                srgb_from_xyz[3 * c + 2] * from[2]);
     }
+    file.converted = true;
     file.notes.emplace_back("its CIE XYZ are converted to sRGB's primaries; Y is the unit of light");
   } else if (hdr.primaries) {
     convert_primaries(*hdr.primaries, "PRIMARIES", file);
@@ -191,8 +193,26 @@ PictureFile read_picture(const fs::path& path, const std::function<void(const Im
   });
 }
 
+namespace {
+
+/// Of colours that other primaries can make and sRGB's cannot.
+void drop_negative_parts(PictureFile& file) {
+  constexpr float rounding = -1e-4F;
+  std::vector<float>& values = file.image.values;
+  const auto beyond = std::count_if(values.begin(), values.end(), [](float v) { return v < rounding; });
+  for (float& value : values)
+    if (value < 0) value = 0;
+  if (beyond > 0)
+    file.notes.push_back(fmt::format(
+        "{:.2g} % of its numbers are negative in sRGB's primaries, which cannot make these colours: they are 0",
+        100.0 * static_cast<double>(beyond) / static_cast<double>(values.size())));
+}
+
+}  // namespace
+
 Image read_image(const fs::path& path, const std::function<void(const ImageHeader&)>& accept) {
   PictureFile file = read_picture(path, accept);
+  if (file.converted) drop_negative_parts(file);
   for (const std::string& note : file.notes)
     fmt::print(stderr, "note: {}: {}\n", printable(path.string()), note);
   return std::move(file.image);

@@ -63,9 +63,10 @@ TEST(ClippedSources, BrightSurfacesSayHowBrightTheirLampWas) {
 }
 
 TEST(ClippedSources, DarkerOnesSayLessAndUnclippedLampsStayAsTheyAre) {
-  const double grey = ClippedRoom(0.5F, 6).found().factor;
-  EXPECT_GT(grey, 1.5);
-  EXPECT_LT(grey, 6.0) << "no surface is white";
+  const ClippedSources grey = ClippedRoom(0.5F, 6).found();
+  EXPECT_GT(grey.factor, 1.5);
+  EXPECT_LT(grey.factor, 6.0) << "no surface is white";
+  EXPECT_NEAR(grey.factor_of_grey, 6.0, 0.6) << "the lamp's radiance over white's, where every wall is grey";
   EXPECT_EQ(ClippedRoom(0.5F, 0.9F).found().share, 0);
   Image codes(4, 2, 3, 0.5F);
   codes.set_rgb(1, 0, Rgb::Ones());

@@ -214,6 +214,9 @@ TEST(PictureFiles, RadianceExposureAndXyzAreUndone) {
   EXPECT_NEAR(picture.image.at(0, 0, 0), 3.2404542, 1e-5);  // IEC 61966-2-1's matrix, X of 1 alone
   EXPECT_NEAR(picture.image.at(0, 0, 1), -0.9692660, 1e-5);
   EXPECT_NEAR(picture.image.at(0, 0, 2), 0.0556434, 1e-5);
+  const Image light = read_image(folder / "b.hdr");  // of an environment, which sends no negative light
+  EXPECT_EQ(light.at(0, 0, 0), picture.image.at(0, 0, 0));
+  EXPECT_EQ(light.at(0, 0, 1), 0);
 }
 
 TEST(PictureFiles, AProfileIsUsedAndWrittenAgain) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include "analysis/log_analysis/participant_facts.h"
@@ -13,6 +12,7 @@
 #include "analysis/report/text/adaptive_methods.h"
 #include "analysis/report/text/joint_text.h"
 #include "analysis/report/text/methods_references.h"
+#include "analysis/report/text/order_text.h"
 #include "analysis/report/text/replication_text.h"
 #include "analysis/report/text/scenes_text.h"
 #include "analysis/scores/level_words.h"
@@ -176,31 +176,6 @@ std::string joint_comparisons_text(const ReportNumbers& numbers) {
                                           : "")
                         : groups.verdict);
   return text;
-}
-
-/// What the halves of the session say, with the change of all curves together and its interval.
-std::string halves_text(const SessionHalves& halves, const LevelAxis& axis) {
-  if (halves.shifts.rows.empty()) return halves.missing;
-  const auto number = [](double value) {
-    return fmt::format("{:.2f}", std::abs(value) < 0.005 ? 0.0 : value);
-  };
-  const ContrastRow& first = halves.shifts.rows.front();
-  const auto differing =
-      std::count_if(halves.shifts.rows.begin(), halves.shifts.rows.end(),
-                    [](const ContrastRow& row) { return row.verdict == ContrastVerdict::differs; });
-  return fmt::format(
-      "Thresholds of the second half of each session were compared with those of the first by the joint model "
-      "with two thresholds for each curve, adjusted by Holm's method: the change of {} is {} {} (95 % interval "
-      "{} to {}); {} of {} changes {} shown.",
-      first.name.substr(0, first.name.find(':')), number(first.estimate), length_unit(axis),
-      number(first.ci95_low), number(first.ci95_high), differing, halves.shifts.rows.size(),
-      differing == 1 ? "was" : "were");
-}
-
-std::string order_text(const ReportNumbers& numbers) {
-  return "Order was looked at by least squares with participants and stimuli as fixed effects, intervals by "
-         "leaving out each participant in turn. " +
-         trend_sentence(numbers.order) + " " + halves_text(numbers.halves, numbers.axis);
 }
 
 /// Why there are so many participants, as it was frozen.
@@ -384,7 +359,8 @@ MethodsText methods_text(const Analysis& analysis, const ReportNumbers& numbers,
     if (numbers.conditions && !analysis.differences.empty()) paragraphs.push_back(differences_text(analysis));
     if (analysis.replication) paragraphs.push_back(replication_method(analysis));
     if (rated) paragraphs.push_back(checks_method_text(words));
-    if (numbers.order.missing.empty()) paragraphs.push_back(order_text(numbers));
+    if (numbers.order.missing.empty())
+      paragraphs.push_back(order_text(numbers.order, numbers.halves, numbers.axis));
   }
   paragraphs.push_back(screening_text(analysis));
   if (!numbers.times.rows.empty()) paragraphs.emplace_back(reaction_times_text);

@@ -153,7 +153,7 @@ std::string looking_html(const std::vector<LookingRow>& rows) {
                     lines);
 }
 
-std::string late_html(const std::optional<LateReport>& late) {
+std::string late_html(const std::optional<LateReport>& late, const LevelAxis& axis) {
   if (!late) return "";
   std::vector<std::vector<std::string>> curves, thresholds;
   for (const LateRow& row : late->rows)
@@ -172,7 +172,8 @@ std::string late_html(const std::optional<LateReport>& late) {
                                  {"dropped", true}},
                                 curves);
   if (!thresholds.empty())
-    html += html_paragraph("Thresholds of record with the marked trials, and without them:") +
+    html += html_paragraph("Thresholds of record, as " + level_word(axis) +
+                           ", with the marked trials and without them:") +
             html_table({{"artifact"}, {""}, {"with", true}, {"without", true}}, thresholds);
   return html;
 }
@@ -209,7 +210,7 @@ std::string report_html(const Analysis& analysis, const ReportNumbers& numbers,
     links.replace(links.find(">Noticeability<"), std::string(">Noticeability<").size(), ">" + title + "<");
   html += header(analysis) + links + preregistration_html(analysis) + thresholds_section(analysis) +
           scenes_html(numbers) + replication_html(analysis) + differences_html(analysis) +
-          looking_html(looking) + late_html(late) + origins_html(analysis) +
+          looking_html(looking) + late_html(late, analysis.data.axis) + origins_html(analysis) +
           joint_model_html(analysis, figures) + noticeability_section(analysis, figures) +
           psychometric_html(analysis, numbers, figures) + comparisons_html(analysis, numbers) +
           checks_html(analysis, figures) + order_html(numbers, figures) + times_html(numbers, figures);
