@@ -8,7 +8,7 @@
 namespace seamline::renderer {
 namespace {
 
-using Measures = std::array<ObjectMeasures, 3>;
+using Measures = std::vector<ObjectMeasures>;
 
 constexpr double least_share_of_a_surface = 0.02;  // a sliver of shadow does not count as a surface crossed
 constexpr double least_crossing_share = 0.1;

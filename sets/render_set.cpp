@@ -199,7 +199,7 @@ class SetRenderer {
     finish_reference(scene, *estimator);
     if (request_.part == JobPart::truth) leave_truth(scene, *estimator);
     give_back_freed_memory();
-    for (int object = 1; object <= 3; ++object) render_object(scene, object, *estimator);
+    for (const int object : scene.object_indices()) render_object(scene, object, *estimator);
     summary_.savings.emplace_back(definition.truth, estimator->savings());
     scenes_.erase(found);
   }

@@ -92,18 +92,19 @@ SetSeams read_set_seams(const std::filesystem::path& set_folder) {
 
 CsvTable seams_table(const SetSeams& seams) {
   const QuantityFacts& level = facts(seams.quantity);
-  CsvTable table{.name = "seams",
-                 .columns = {{"stimulus", "text", "its id"},
-                             {"scene", "text", "name of the scene in the study file"},
-                             {"artifact", "word", "which seam the stimulus shows"},
-                             {"condition", "word", "of the study file; empty where there is one"},
-                             {"object", "text", "name of the inserted object"},
-                             {"object_index", "1 to 3", "its place: 1 left, 2 middle, 3 right"},
-                             {std::string(level.key), std::string(level.unit), std::string(level.name)},
-                             {"pixels_per_degree", "px", "of the study's observer"},
-                             {"noise_sd_steps", "steps of 255",
-                              "standard deviation of the noise in the noisiest tile of 32 x 32 pixels"}},
-                 .rows = {}};
+  CsvTable table{
+      .name = "seams",
+      .columns = {{"stimulus", "text", "its id"},
+                  {"scene", "text", "name of the scene in the study file"},
+                  {"artifact", "word", "which seam the stimulus shows"},
+                  {"condition", "word", "of the study file; empty where there is one"},
+                  {"object", "text", "name of the inserted object"},
+                  {"object_index", "from 1", "its place from the left: of three, 1 left, 2 middle, 3 right"},
+                  {std::string(level.key), std::string(level.unit), std::string(level.name)},
+                  {"pixels_per_degree", "px", "of the study's observer"},
+                  {"noise_sd_steps", "steps of 255",
+                   "standard deviation of the noise in the noisiest tile of 32 x 32 pixels"}},
+      .rows = {}};
   for (const int step : seam_steps)
     for (const auto& [name, unit, meaning] :
          {std::tuple{"area_over_{}_px", "px", "pixels that differ by more than {} steps beyond noise"},

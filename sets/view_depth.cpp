@@ -16,7 +16,7 @@ std::optional<float> along(const Geometry& geometry, const Ray& ray) {
 
 Image reference_depth(const TruthScene& scene) {
   if (scene.definition.view.kind != ViewKind::depth_image) return {};
-  const Geometry everything = scene.geometry(true, {1, 2, 3});
+  const Geometry everything = scene.geometry(true, scene.object_indices());
   return planar_depth_m(scene.camera, [&](const Ray& ray) { return along(everything, ray); });
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <utility>
@@ -101,10 +100,8 @@ std::string answers_text(const PlannedTask& task) {
   const TaskFacts& facts = task.facts;
   const std::string rates = facts.rates ? " and rates 1 + Binomial(3, P(seen))" : "";
   if (!facts.right_is_yes) {
-    const std::array<const char*, 4> numbers = {"none", "one", "two", "three"};
     return fmt::format("who sees chooses right{}; who does not guesses one of {}{}", rates,
-                       numbers.at(static_cast<std::size_t>(facts.alternatives)),
-                       facts.rates ? " and rates 1" : "");
+                       number_word(facts.alternatives), facts.rates ? " and rates 1" : "");
   }
   const std::string not_seen = facts.chooses ? "no" : "the lowest label";
   return fmt::format("who sees {}{}; who does not answers {}{}",

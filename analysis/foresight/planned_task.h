@@ -19,7 +19,7 @@ struct PlannedTask {
   [[nodiscard]] double chance() const { return facts.right_is_yes ? false_alarms : facts.chance; }
   [[nodiscard]] int ratings() const { return facts.rates ? most_joint_ratings : 1; }
   /// One choice among three objects, then a rating.
-  [[nodiscard]] bool asks_as_paper() const { return facts.kind == TaskKind::object && facts.rates; }
+  [[nodiscard]] bool asks_as_paper() const { return facts.is_papers(); }
 };
 
 /// Of a study. `false_alarms`: none means those of simulated people. Throws InputError where nothing is right

@@ -219,7 +219,10 @@ Prediction predict_thresholds(const PredictionRequest& request) {
     throw input_error({.file = manifest_file,
                        .field = "--calibrate",
                        .wanted = "the paper's task, of which its threshold is, or no --calibrate",
-                       .found = "kind = \"" + std::string(word(task.facts.kind)) + "\""});
+                       .found = "kind = \"" + std::string(word(task.facts.kind)) + "\"" +
+                                (task.facts.kind == TaskKind::object && task.facts.rates
+                                     ? fmt::format(" of {} objects", task.facts.objects)
+                                     : "")});
   if (set.study.conditions.size() > 1)
     throw input_error({.file = manifest_file,
                        .field = "condition",

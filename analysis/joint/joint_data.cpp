@@ -32,21 +32,22 @@ void check_table(const Eigen::MatrixXd& table, const std::string& name, Eigen::I
 }
 
 /// Counts of one cell of all people: right x chosen x rating becomes right or wrong x rating.
-void fold_cell(const Eigen::MatrixXd& trials, Eigen::Index first, Eigen::Ref<Eigen::MatrixXd> into) {
+void fold_cell(const Eigen::MatrixXd& trials, Eigen::Index first, const CellShape& shape,
+               Eigen::Ref<Eigen::MatrixXd> into) {
   const Eigen::Index ratings = into.cols() / 2;  // K
-  for (int right = 1; right <= study::objects_per_stimulus; ++right)
-    for (int chosen = 1; chosen <= study::objects_per_stimulus; ++chosen)
+  for (int right = 1; right <= shape.positions; ++right)
+    for (int chosen = 1; chosen <= shape.positions; ++chosen)
       for (int rating = 1; rating <= study::highest_rating; ++rating)
         into.col((chosen == right ? 0 : ratings) + std::min<Eigen::Index>(rating, ratings) - 1) +=
-            trials.col(first + count_place(right, chosen, rating));
+            trials.col(first + shape.place(right, chosen, rating));
 }
 
 /// b averaged over where the right answers were; of a cell that nobody answered over all places alike.
-double chance_of_cell(const Eigen::VectorXd& counts, const Guessers& guessers) {
-  if (!(counts.sum() > 0)) return 1.0 / study::objects_per_stimulus;
+double chance_of_cell(const Eigen::VectorXd& counts, const CellShape& shape, const Guessers& guessers) {
+  if (!(counts.sum() > 0)) return 1.0 / shape.positions;
   double sum = 0;
-  for (int right = 0; right < study::objects_per_stimulus; ++right)
-    sum += counts.segment(right * answers_of_trial, answers_of_trial).sum() *
+  for (int right = 0; right < shape.positions; ++right)
+    sum += counts.segment(right * shape.of_trial(), shape.of_trial()).sum() *
            guessers.position[static_cast<std::size_t>(right)];
   return sum / counts.sum();
 }
@@ -83,6 +84,7 @@ JointData joint_data(const GuessTrials& trials, const LevelAxis& axis, const Gue
                  .answers = {},
                  .references = {}};
   const Eigen::Index width = data.cell_counts();
+  const CellShape shape = trials.shape();
   const auto people = static_cast<Eigen::Index>(trials.people.size());
   const auto cells = static_cast<Eigen::Index>(trials.cells.size());
   data.answers = Eigen::MatrixXd::Zero(people, cells * width);
@@ -92,16 +94,16 @@ JointData joint_data(const GuessTrials& trials, const LevelAxis& axis, const Gue
     const GuessCell& before = trials.cells[static_cast<std::size_t>(c > 0 ? c - 1 : 0)];
     if (c == 0 || cell.artifact != before.artifact || cell.condition != before.condition)
       data.curves.push_back(std::string(word(cell.artifact)) + in_condition(cell.condition));
-    fold_cell(trials.answers, c * counts_of_cell, data.answers.middleCols(c * width, width));
+    fold_cell(trials.answers, c * shape.of_cell(), shape, data.answers.middleCols(c * width, width));
     const Eigen::VectorXd counts =
-        trials.answers.middleCols(c * counts_of_cell, counts_of_cell).colwise().sum().transpose();
+        trials.answers.middleCols(c * shape.of_cell(), shape.of_cell()).colwise().sum().transpose();
     data.cells.push_back({.curve = static_cast<int>(data.curves.size()) - 1,
                           .x = stands_apart(axis, cell.level) ? infinity : x_of(axis, cell.level),
-                          .chance = chance_of_cell(counts, guessers)});
+                          .chance = chance_of_cell(counts, shape, guessers)});
   }
   // Without ratings references say nothing of how guessers rate, but of yes or no what chance is.
   const bool says_something = trials.task.rates || trials.task.right_is_yes;
-  for (int place = 0; says_something && place < answers_of_trial; ++place)
+  for (int place = 0; says_something && place < shape.of_trial(); ++place)
     data.references.col(std::min<Eigen::Index>(place % study::highest_rating, data.ratings - 1)) +=
         trials.references.col(place);
   return data;

@@ -18,8 +18,10 @@ std::string shown_text(const TaskFacts& task, const TaskDefinition& definition) 
       definition.exposure_s > 0 ? fmt::format(" for {:g} s", definition.exposure_s) : std::string();
   switch (task.kind) {
     case TaskKind::object:
-      return "Each trial showed a picture of three objects, one of which had been composited into it with the "
-             "help of a depth map. Participants chose the object that they took for the inserted one.";
+      return fmt::format(
+          "Each trial showed a picture of {} objects, one of which had been composited into it with the help of "
+          "a depth map. Participants chose the object that they took for the inserted one.",
+          number_word(task.objects));
     case TaskKind::pair:
       return fmt::format(
           "Each trial showed two pictures side by side{}: one into which an object had been composited with the "
@@ -66,8 +68,7 @@ bool asks_ratings(const study::LogContents& log) {
 }
 
 bool is_papers_task(const study::LogContents& log) {
-  const TaskFacts task = facts_of(log.task.get());
-  return task.kind == TaskKind::object && task.rates;
+  return facts_of(log.task.get()).is_papers();
 }
 
 std::vector<std::string> notes_on_task(const study::LogContents& log) {
@@ -126,7 +127,7 @@ TaskWords task_words(const Analysis& analysis) {
                           "Because the choice is forced, a participant who sees nothing is right one time "
                           "in {} and then rates at least 1: the floor of mean noticeability is at least "
                           "{}, not 0.",
-                          task.alternatives == 3 ? "three" : "two", chance_fraction(task));
+                          number_word(task.alternatives), chance_fraction(task));
   return words;
 }
 

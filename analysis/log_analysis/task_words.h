@@ -30,7 +30,7 @@ struct TaskWords {
 /// Whether people rated what they saw: else PT, SN, IP and the paper's way mean nothing.
 [[nodiscard]] bool asks_ratings(const study::LogContents& log);
 
-/// Three alternatives and a rating.
+/// Three objects to choose among, and a rating.
 [[nodiscard]] bool is_papers_task(const study::LogContents& log);
 
 /// What the way of the paper can say of another task, a sentence each; none of the paper's.

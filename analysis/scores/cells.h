@@ -27,7 +27,7 @@ struct ObjectCurve {
   std::string condition;  ///< empty where the study has one
   std::string scene;
   std::string object;
-  int object_index = 0;  ///< 1 left, 2 middle, 3 right
+  int object_index = 0;  ///< from the left, from 1
   std::vector<CellMean> cells;
 };
 

@@ -62,9 +62,10 @@ GuessTrials count_guess_trials(const study::LogContents& log, const Noticeabilit
     for (const double level : scores.level)
       trials.cells.push_back({.artifact = scores.artifact, .condition = scores.condition, .level = level});
   const auto people = static_cast<Eigen::Index>(trials.people.size());
+  const CellShape shape = trials.shape();
   trials.answers =
-      Eigen::MatrixXd::Zero(people, static_cast<Eigen::Index>(trials.cells.size()) * counts_of_cell);
-  trials.references = Eigen::MatrixXd::Zero(people, answers_of_trial);
+      Eigen::MatrixXd::Zero(people, static_cast<Eigen::Index>(trials.cells.size()) * shape.of_cell());
+  trials.references = Eigen::MatrixXd::Zero(people, shape.of_trial());
 
   const std::vector<Placed> placed = placed_answers(log, data, trials);
   std::map<PersonCell, std::map<ObjectOf, int>> objects;
@@ -80,8 +81,8 @@ GuessTrials count_guess_trials(const study::LogContents& log, const Noticeabilit
     const auto& of_person = objects.at(one.where);
     const int repeats = of_person.at({one.answer->scene, one.answer->object_index, one.answer->object});
     const double per_person = cell_answers.at(cell) / static_cast<double>(cell_people.at(cell).size());
-    trials.answers(person, cell * counts_of_cell + count_place(one.answer->right(), one.answer->chosen_index,
-                                                               one.answer->rating)) +=
+    trials.answers(person, cell * shape.of_cell() + shape.place(one.answer->right(), one.answer->chosen_index,
+                                                                one.answer->rating)) +=
         per_person / (static_cast<double>(of_person.size()) * repeats);
   }
   for (const ReferenceAnswer& reference : references) {

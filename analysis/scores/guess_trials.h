@@ -13,7 +13,7 @@ namespace seamline::analysis {
 /// An answer to a reference trial: nothing was inserted, so there was nothing to see and no right choice.
 struct ReferenceAnswer {
   std::string participant;
-  int chosen_index = 0;  ///< 1 left, 2 middle, 3 right
+  int chosen_index = 0;  ///< from 1
   int rating = 0;        ///< 1..4
 };
 
@@ -24,14 +24,20 @@ struct GuessCell {
   double level = 0;
 };
 
-inline constexpr int answers_of_trial =
-    study::objects_per_stimulus * study::highest_rating;  ///< chosen x rating, rating running fastest
-inline constexpr int counts_of_cell =
-    study::objects_per_stimulus * answers_of_trial;  ///< right x chosen x rating, rating running fastest
+/// How the counts of a cell lie in a row: right x chosen x rating, rating running fastest.
+struct CellShape {
+  int positions = usual_objects;  ///< to choose among, at least three; fewer leave counts of 0
 
-/// Place of an answer within its cell's counts. Indices as in the log, from 1.
-[[nodiscard]] constexpr int count_place(int right_index, int chosen_index, int rating) {
-  return (right_index - 1) * answers_of_trial + (chosen_index - 1) * study::highest_rating + (rating - 1);
+  /// Chosen x rating.
+  [[nodiscard]] constexpr int of_trial() const { return positions * study::highest_rating; }
+  [[nodiscard]] constexpr int of_cell() const { return positions * of_trial(); }
+  /// Place of an answer within its cell's counts. Indices as in the log, from 1.
+  [[nodiscard]] constexpr int place(int right_index, int chosen_index, int rating) const {
+    return (right_index - 1) * of_trial() + (chosen_index - 1) * study::highest_rating + (rating - 1);
+  }
+};
+[[nodiscard]] constexpr CellShape cell_shape(const TaskFacts& task) {
+  return {task.alternatives > usual_objects ? task.alternatives : usual_objects};
 }
 
 /// How often each participant gave each answer, which is all that the guessing model needs. Where objects or
@@ -41,9 +47,11 @@ inline constexpr int counts_of_cell =
 struct GuessTrials {
   std::vector<std::string> people;  ///< everybody on some artifact's curve, in the log's order
   std::vector<GuessCell> cells;     ///< artifacts in the order of the data, levels as on the curve
-  Eigen::MatrixXd answers;          ///< people x (cells x counts_of_cell)
-  Eigen::MatrixXd references;       ///< people x answers_of_trial
+  Eigen::MatrixXd answers;          ///< people x (cells x `CellShape::of_cell`)
+  Eigen::MatrixXd references;       ///< people x `CellShape::of_trial`
   TaskFacts task = {};              ///< what was asked
+
+  [[nodiscard]] CellShape shape() const { return cell_shape(task); }
 };
 
 /// Counts the answers of the people on the curves of `data` (`average_answers` of the same log). References

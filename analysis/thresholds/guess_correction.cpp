@@ -34,24 +34,26 @@ std::vector<CellRange> ranges_of(const NoticeabilityData& data) {
   return ranges;
 }
 
-const double* counts_at(const Eigen::VectorXd& counts, std::size_t cell) {
-  return counts.data() + cell * counts_of_cell;
+const double* counts_at(const Eigen::VectorXd& counts, std::size_t cell, const TaskFacts& task) {
+  return counts.data() + cell * static_cast<std::size_t>(cell_shape(task).of_cell());
 }
 
 /// The probability that a guess is right: b(o), averaged over the right positions of all answers.
 double chance(const Eigen::VectorXd& counts, const Guessers& guessers) {
+  const CellShape shape = cell_shape(guessers.task);
   double right = 0;
   for (Eigen::Index i = 0; i < counts.size(); ++i)
-    right += counts[i] * guessers.position[static_cast<std::size_t>(i % counts_of_cell / answers_of_trial)];
+    right += counts[i] * guessers.position[static_cast<std::size_t>(i % shape.of_cell() / shape.of_trial())];
   return right / counts.sum();
 }
 
 /// A person's formula scores in the cells of a range: the rating when right; when wrong, minus what a guesser
 /// gains by chance for each wrong guess, so that a guesser's expected score is 0.
 Eigen::MatrixXd formula_scores(const GuessTrials& trials, const CellRange& range, const Guessers& guessers) {
-  Eigen::VectorXd value(counts_of_cell);
-  for (int place = 0; place < counts_of_cell; ++place) {
-    const int right = place / answers_of_trial, chosen = place % answers_of_trial / study::highest_rating;
+  const CellShape shape = trials.shape();
+  Eigen::VectorXd value(shape.of_cell());
+  for (int place = 0; place < shape.of_cell(); ++place) {
+    const int right = place / shape.of_trial(), chosen = place % shape.of_trial() / study::highest_rating;
     const double b = guessers.position[static_cast<std::size_t>(right)];
     value[place] = right == chosen ? place % study::highest_rating + 1
                                    : -guessers.mean_rating() * b / std::max(1 - b, 1e-3);
@@ -61,7 +63,7 @@ Eigen::MatrixXd formula_scores(const GuessTrials& trials, const CellRange& range
     Eigen::RowVectorXd row(static_cast<Eigen::Index>(range.level_x.size()));
     for (std::size_t w = 0; w < range.level_x.size(); ++w) {
       const auto counts = trials.answers.row(p).segment(
-          static_cast<Eigen::Index>((range.first + w) * counts_of_cell), counts_of_cell);
+          static_cast<Eigen::Index>(range.first + w) * shape.of_cell(), shape.of_cell());
       const double answers = counts.sum();
       row[static_cast<Eigen::Index>(w)] = answers > 0 ? counts.dot(value) / answers : nan;
     }
@@ -77,14 +79,15 @@ Eigen::MatrixXd formula_scores(const GuessTrials& trials, const CellRange& range
 /// curve says of it.
 void test_chance(const GuessTrials& trials, const CellRange& range, const Guessers& guessers,
                  CorrectedCurve& curve) {
+  const CellShape shape = trials.shape();
   std::vector<double> beyond, shares;
   for (Eigen::Index p = 0; p < trials.answers.rows(); ++p) {
     double right_answers = 0, by_chance = 0, answers = 0;
     for (std::size_t w = 0; w < range.count; ++w)
-      for (int place = 0; place < counts_of_cell; ++place) {
+      for (int place = 0; place < shape.of_cell(); ++place) {
         const double n =
-            trials.answers(p, static_cast<Eigen::Index>((range.first + w) * counts_of_cell) + place);
-        const int right = place / answers_of_trial, chosen = place % answers_of_trial / study::highest_rating;
+            trials.answers(p, static_cast<Eigen::Index>(range.first + w) * shape.of_cell() + place);
+        const int right = place / shape.of_trial(), chosen = place % shape.of_trial() / study::highest_rating;
         right_answers += right == chosen ? n : 0;
         by_chance += n * guessers.position[static_cast<std::size_t>(right)];
         answers += n;
@@ -113,7 +116,7 @@ CorrectedCurve corrected_curve(const GuessTrials& trials, const ArtifactScores& 
   const Eigen::VectorXd counts = trials.answers.colwise().sum().transpose();
   std::vector<double> means;
   for (std::size_t w = 0; w < range.count; ++w) {
-    curve.cells.push_back(fit_seeing(counts_at(counts, range.first + w), guessers));
+    curve.cells.push_back(fit_seeing(counts_at(counts, range.first + w, trials.task), guessers));
     if (w < range.level_x.size()) means.push_back(curve.cells.back().noticeability);
   }
   test_chance(trials, range, guessers, curve);
@@ -152,7 +155,8 @@ void add_bootstrap(const GuessTrials& trials, const std::vector<CellRange>& rang
       if (ranges[i].level_x.empty()) continue;
       for (std::size_t w = 0; w < ranges[i].level_x.size(); ++w)
         means.push_back(
-            fit_seeing(counts_at(answers, ranges[i].first + w), guessers, replicate_tolerance).noticeability);
+            fit_seeing(counts_at(answers, ranges[i].first + w, trials.task), guessers, replicate_tolerance)
+                .noticeability);
       const bool answered =
           std::all_of(means.begin(), means.end(), [](double m) { return std::isfinite(m); });
       if (answered) replicates[i].set(replicate, means);  // else it leaves every width open

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "analysis/scores/guess_trials.h"
 #include "support/text/numbers.h"
@@ -14,14 +15,20 @@ constexpr int position_steps = 500;
 constexpr int seeing_steps = 3000;
 constexpr double position_tolerance = 1e-12;
 
-using Positions = std::array<double, study::objects_per_stimulus>;
+using Positions = std::vector<double>;
 using Ratings = std::array<double, study::highest_rating>;
 
 /// Wrong choices by right and by chosen position, and choices where nothing was right.
 struct GuessChoices {
-  std::array<Positions, study::objects_per_stimulus> wrong{};  ///< [right][chosen]
-  Positions reference{};
+  explicit GuessChoices(std::size_t positions)
+      : wrong(positions, Positions(positions)), reference(positions) {}
+  std::vector<Positions> wrong;  ///< [right][chosen]
+  Positions reference;
 };
+
+double sum_of(const Positions& shares) {
+  return std::accumulate(shares.begin(), shares.end(), 0.0);
+}
 
 /// One step of EM: the guesses that were right by chance are as many as b says for the wrong ones seen.
 Positions next_positions(const GuessChoices& choices, const Positions& b) {
@@ -34,7 +41,7 @@ Positions next_positions(const GuessChoices& choices, const Positions& b) {
     }
     if (b[right] < 1) expected[right] += wrong * b[right] / (1 - b[right]);
   }
-  const double total = expected[0] + expected[1] + expected[2];
+  const double total = sum_of(expected);
   for (double& share : expected) share /= total;
   return expected;
 }
@@ -45,8 +52,7 @@ bool positions_are_comparable(const GuessChoices& choices) {
   int right_positions = 0;
   double references = 0;
   for (std::size_t right = 0; right < choices.wrong.size(); ++right) {
-    const Positions& of = choices.wrong[right];
-    right_positions += of[0] + of[1] + of[2] > 0 ? 1 : 0;
+    right_positions += sum_of(choices.wrong[right]) > 0 ? 1 : 0;
     references += choices.reference[right];
   }
   return references > 0 || right_positions >= 2;
@@ -54,17 +60,18 @@ bool positions_are_comparable(const GuessChoices& choices) {
 
 /// What right choices (o, r) and wrong ones are made of.
 struct CellCounts {
-  std::array<Ratings, study::objects_per_stimulus> right{};
+  std::vector<Ratings> right = {};
   double all_right = 0, all_wrong = 0;
   double wrong_log_likelihood = 0;  ///< sum of n ln(b(c) g(r)) over wrong choices
 };
 
 CellCounts sort_counts(const double* counts, const Guessers& guessers) {
-  CellCounts sorted;
-  for (int right = 0; right < study::objects_per_stimulus; ++right)
-    for (int chosen = 0; chosen < study::objects_per_stimulus; ++chosen)
+  const CellShape shape = cell_shape(guessers.task);
+  CellCounts sorted{.right = std::vector<Ratings>(static_cast<std::size_t>(shape.positions))};
+  for (int right = 0; right < shape.positions; ++right)
+    for (int chosen = 0; chosen < shape.positions; ++chosen)
       for (int rating = 0; rating < study::highest_rating; ++rating) {
-        const double n = counts[count_place(right + 1, chosen + 1, rating + 1)];
+        const double n = counts[shape.place(right + 1, chosen + 1, rating + 1)];
         const auto c = static_cast<std::size_t>(chosen), r = static_cast<std::size_t>(rating);
         if (chosen == right) {
           sorted.right[c][r] = n;
@@ -80,7 +87,7 @@ CellCounts sort_counts(const double* counts, const Guessers& guessers) {
 /// v(r) = s q(r). The share of wrong choices says s, the right choices beyond chance say q.
 Ratings moment_start(const CellCounts& counts, const Guessers& guessers) {
   const double n = counts.all_right + counts.all_wrong;
-  constexpr double chance = 1.0 / study::objects_per_stimulus;
+  const double chance = 1.0 / static_cast<double>(counts.right.size());
   Ratings v{};
   const double guessing = std::clamp(counts.all_wrong / n / (1 - chance), 0.0, 0.98);
   double seen = 0;
@@ -121,7 +128,7 @@ Ratings next_seen(const CellCounts& counts, const Guessers& guessers, const Rati
 }
 
 Positions equal_positions(const TaskFacts& task) {
-  Positions equal{};
+  Positions equal(static_cast<std::size_t>(cell_shape(task).positions));
   std::fill_n(equal.begin(), task.alternatives, 1.0 / task.alternatives);
   return equal;
 }
@@ -156,22 +163,23 @@ Guessers estimate_guessers(const Eigen::VectorXd& cells, const Eigen::VectorXd& 
     yes.task = task;
     return yes;
   }
-  GuessChoices choices;
+  const CellShape shape = cell_shape(task);
+  GuessChoices choices(static_cast<std::size_t>(shape.positions));
   Guessers found;
   found.position = equal_positions(task);
   found.task = task;
   found.rating = {};
-  for (Eigen::Index begin = 0; begin < cells.size(); begin += counts_of_cell)
-    for (int place = 0; place < counts_of_cell; ++place) {
-      const auto right = static_cast<std::size_t>(place / answers_of_trial);
-      const auto chosen = static_cast<std::size_t>(place % answers_of_trial / study::highest_rating);
+  for (Eigen::Index begin = 0; begin < cells.size(); begin += shape.of_cell())
+    for (int place = 0; place < shape.of_cell(); ++place) {
+      const auto right = static_cast<std::size_t>(place / shape.of_trial());
+      const auto chosen = static_cast<std::size_t>(place % shape.of_trial() / study::highest_rating);
       if (right == chosen) continue;
       const double n = cells[begin + place];
       choices.wrong[right][chosen] += n;
       found.rating[static_cast<std::size_t>(place % study::highest_rating)] += n;
       found.wrong_answers += n;
     }
-  for (int place = 0; place < answers_of_trial; ++place) {
+  for (int place = 0; place < shape.of_trial(); ++place) {
     const double n = references[place];
     choices.reference[static_cast<std::size_t>(place / study::highest_rating)] += n;
     found.rating[static_cast<std::size_t>(place % study::highest_rating)] += n;

@@ -13,9 +13,9 @@ namespace seamline::analysis {
 /// What guessers do, with the letters of documentation/explanation/guess_correction.md: b(c), the probability
 /// that a guess falls on position c, and g(r), the probability that a guesser then rates r.
 struct Guessers {
-  std::array<double, study::objects_per_stimulus> position = {1.0 / 3, 1.0 / 3, 1.0 / 3};  ///< b
-  std::array<double, study::highest_rating> rating = {1, 0, 0, 0};                         ///< g
-  double wrong_answers = 0, reference_answers = 0;  ///< what they were estimated from
+  std::vector<double> position = {1.0 / 3, 1.0 / 3, 1.0 / 3};       ///< b, one of `CellShape::positions` each
+  std::array<double, study::highest_rating> rating = {1, 0, 0, 0};  ///< g
+  double wrong_answers = 0, reference_answers = 0;                  ///< what they were estimated from
   bool position_estimated = false;  ///< false: equal positions are assumed, because the data do not say
   TaskFacts task = {};              ///< what `position` is a choice among
 
@@ -24,10 +24,11 @@ struct Guessers {
 };
 
 /// Estimates b and g from answers that can only be guesses: wrong choices and reference trials. A wrong
-/// choice was made among the two other positions, P(c | wrong, right o) = b(c) / (1 - b(o)), so b comes from
+/// choice was made among the other positions, P(c | wrong, right o) = b(c) / (1 - b(o)), so b comes from
 /// an EM algorithm whose missing data are the guesses that happened to be right (Dempster, Laird and Rubin
 /// 1977, the truncated multinomial). They are not mixed with what is seen: an object on the left that is easy
-/// to see is no position bias. `cells` holds `counts_of_cell` counts a cell, `references` `answers_of_trial`.
+/// to see is no position bias. `cells` holds `CellShape::of_cell` counts a cell, `references`
+/// `CellShape::of_trial`.
 ///
 /// Of a task that asks for yes or no, "no" is no guess: b(yes) is the share of false alarms f among n
 /// reference trials, (f + 1/2) / (n + 1) (Hautus 1995), which is never 0 or 1, and g what false alarms were
@@ -55,8 +56,8 @@ struct SeeingCell {
 
 /// Fits s and q of one cell by EM for given guessers. In v(r) = s q(r) the log likelihood is concave, so what
 /// EM climbs to is its one maximum. Starts at the moment estimate. Without answers everything is NaN.
-/// `counts` are the cell's `counts_of_cell` counts; `trace`, when given, receives the log likelihood before
-/// each step and at the end.
+/// `counts` are the cell's, `CellShape::of_cell` of them; `trace`, when given, receives the log likelihood
+/// before each step and at the end.
 [[nodiscard]] SeeingCell fit_seeing(const double* counts, const Guessers& guessers, double tolerance = 1e-8,
                                     std::vector<double>* trace = nullptr);
 

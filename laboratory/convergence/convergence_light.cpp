@@ -132,7 +132,7 @@ LightResult::Agreement agreement(const NamedStrategy& strategy, const Picture& p
 }  // namespace
 
 LightResult measure_light(const ConvergenceSubject& subject) {
-  const Geometry truth = subject.scene.geometry(true, {1, 2, 3});
+  const Geometry truth = subject.scene.geometry(true, subject.scene.object_indices());
   const LightsApart lights = lights_apart(subject.scene.light);
   const std::vector<NamedStrategy> strategies = strategies_of(lights, truth.is_glossy());
   if (strategies.empty())

@@ -104,8 +104,10 @@ double silhouette_complexity(const std::vector<bool>& mask, int width_px, int he
   return area > 0 ? perimeter * perimeter / (4 * std::numbers::pi * area) : 0.0;
 }
 
-std::array<ObjectMeasures, 3> measure_objects(const TruthScene& scene) {
-  return {ObjectMeter(scene, 1).measure(), ObjectMeter(scene, 2).measure(), ObjectMeter(scene, 3).measure()};
+std::vector<ObjectMeasures> measure_objects(const TruthScene& scene) {
+  std::vector<ObjectMeasures> measures;
+  for (const int object : scene.object_indices()) measures.push_back(ObjectMeter(scene, object).measure());
+  return measures;
 }
 
 }  // namespace seamline::renderer

@@ -1,7 +1,7 @@
 #pragma once
-#include <array>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "raytracer/scene/truth_scene.h"
 
@@ -22,8 +22,8 @@ struct ObjectMeasures {
   double in_real_shadow_px = 0;  ///< of those, what the background shadows
 };
 
-/// Measures all three objects of a scene by one ray a pixel (two for shadows).
-[[nodiscard]] std::array<ObjectMeasures, 3> measure_objects(const TruthScene& scene);
+/// Measures all objects of a scene by one ray a pixel (two for shadows).
+[[nodiscard]] std::vector<ObjectMeasures> measure_objects(const TruthScene& scene);
 
 /// perimeter^2 / (4 pi area) of a mask, row by row. The perimeter is Crofton's: boundary edges of the pixel
 /// grid times pi / 4, right on average over directions.

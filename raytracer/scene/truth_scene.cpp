@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "raytracer/light/bright_patches.h"
@@ -58,11 +59,22 @@ void set_layer(const SceneDefinition& definition, FileMesh& mesh) {
   mesh.material = std::make_shared<const Material>(std::move(material));
 }
 
-Geometry TruthScene::geometry(bool with_background, std::initializer_list<int> object_indices,
-                              Edges edges) const {
+std::vector<int> TruthScene::object_indices() const {
+  std::vector<int> indices(objects.size());
+  std::iota(indices.begin(), indices.end(), 1);
+  return indices;
+}
+
+std::vector<int> TruthScene::other_indices(int object_index) const {
+  std::vector<int> indices = object_indices();
+  std::erase(indices, object_index);
+  return indices;
+}
+
+Geometry TruthScene::geometry(bool with_background, const std::vector<int>& indices, Edges edges) const {
   std::vector<std::shared_ptr<const SurfaceMesh>> meshes;
   if (with_background) meshes = background;
-  for (const int index : object_indices) {
+  for (const int index : indices) {
     const auto& object = objects[static_cast<std::size_t>(index - 1)];
     meshes.insert(meshes.end(), object.begin(), object.end());
   }
@@ -70,14 +82,7 @@ Geometry TruthScene::geometry(bool with_background, std::initializer_list<int> o
 }
 
 Geometry TruthScene::geometry_without(int object_index) const {
-  switch (object_index) {
-    case 1:
-      return geometry(true, {2, 3});
-    case 2:
-      return geometry(true, {1, 3});
-    default:
-      return geometry(true, {1, 2});
-  }
+  return geometry(true, other_indices(object_index));
 }
 
 Eigen::Affine3d object_placement(const ObjectDefinition& object) {
@@ -288,7 +293,8 @@ TruthScene load_truth_scene(const SceneDefinition& definition, int width_px, int
       place_meshes(background, Eigen::Affine3d::Identity(), scene.camera_position_m, definition.albedo, 0);
   if (!definition.ambient_occlusion) cut_where_lit(scene.background);
   if (!definition.ambient_occlusion) add_glowing(scene.background, scene.light);
-  for (std::size_t i = 0; i < definition.objects.size() && i < scene.objects.size(); ++i) {
+  scene.objects.resize(definition.objects.size());
+  for (std::size_t i = 0; i < definition.objects.size(); ++i) {
     const ObjectDefinition& object = definition.objects[i];
     SceneFile file = read_scene_file(object.path, definition.materials);
     if (file.meshes.empty())
@@ -300,7 +306,7 @@ TruthScene load_truth_scene(const SceneDefinition& definition, int width_px, int
                                     scene.camera_position_m, definition.albedo, static_cast<int>(i) + 1);
   }
   if (!scene.light.lamps.empty())
-    add_bright_patches(scene.background, scene.geometry(true, {1, 2, 3}), scene.light);
+    add_bright_patches(scene.background, scene.geometry(true, scene.object_indices()), scene.light);
   return scene;
 }
 

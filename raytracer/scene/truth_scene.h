@@ -1,6 +1,5 @@
 #pragma once
 #include <Eigen/Geometry>
-#include <array>
 #include <memory>
 #include <set>
 #include <span>
@@ -24,15 +23,21 @@ struct TruthScene {
   Camera camera;
   Light light;
   std::vector<std::shared_ptr<const SurfaceMesh>> background;
-  std::array<std::vector<std::shared_ptr<const SurfaceMesh>>, 3> objects;
+  /// From left to right; as many as the definition has.
+  std::vector<std::vector<std::shared_ptr<const SurfaceMesh>>> objects =
+      std::vector<std::vector<std::shared_ptr<const SurfaceMesh>>>(3);
   std::vector<std::string> rests;             ///< a sentence about each object that was let down
   std::set<std::string> left_out_of_diffuse;  ///< of the files' materials (`SceneFile`)
   std::set<std::string> left_out;             ///< a sentence about each file that has what no picture shows
 
-  /// Background and the objects listed (1 to 3): one Embree scene.
-  [[nodiscard]] Geometry geometry(bool with_background, std::initializer_list<int> object_indices,
+  /// Of all objects, from 1.
+  [[nodiscard]] std::vector<int> object_indices() const;
+  /// The same without one of them.
+  [[nodiscard]] std::vector<int> other_indices(int object_index) const;
+  /// Background and the objects listed (from 1): one Embree scene.
+  [[nodiscard]] Geometry geometry(bool with_background, const std::vector<int>& indices,
                                   Edges edges = Edges::tight) const;
-  /// T of a virtual object: the background and the two other objects.
+  /// T of a virtual object: the background and the other objects.
   [[nodiscard]] Geometry geometry_without(int object_index) const;
 };
 

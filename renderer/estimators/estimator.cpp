@@ -6,7 +6,7 @@ namespace seamline::renderer {
 
 ByteImage click_map(const TruthScene& scene) {
   const Camera& camera = scene.camera;
-  const Geometry everything = scene.geometry(true, {1, 2, 3});
+  const Geometry everything = scene.geometry(true, scene.object_indices());
   ByteImage ids{camera.width_px, camera.height_px, 1, {}};
   for (int y = 0; y < camera.height_px; ++y)
     for (int x = 0; x < camera.width_px; ++x) {

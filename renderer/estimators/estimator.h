@@ -23,8 +23,8 @@ struct PassOptions {
   std::function<void(double share_done)> progress = {};  ///< called on the calling thread
 };
 
-/// The reference of a whole scene, all objects in place, and its click map (0 background, 1 left, 2 middle, 3
-/// right).
+/// The reference of a whole scene, all objects in place, and its click map (0 background, objects from 1 on
+/// the left).
 struct SceneReference {
   Image radiance;
   ByteImage object_ids;
@@ -58,7 +58,7 @@ class SceneEstimator {
   /// What it holds to.
   [[nodiscard]] virtual const EstimatorChoices& choices() const = 0;
   [[nodiscard]] virtual SceneReference reference(const ReportProgress& progress) = 0;
-  /// Turns to one virtual object (1 to 3): what its stimuli share.
+  /// Turns to one virtual object (from 1): what its stimuli share.
   virtual void take_object(int object_index, const ReportProgress& progress) = 0;
   [[nodiscard]] virtual const ObjectGeometry& geometry() const = 0;
   [[nodiscard]] virtual const TruthSums& truth() const = 0;
@@ -74,7 +74,7 @@ class SceneEstimator {
   [[nodiscard]] virtual EstimatedStimulus decided_stimulus(const Recipe& recipe, const DepthWorld& depth,
                                                            const StimulusDecision& decision,
                                                            const ReportProgress& progress);
-  /// Into how many pieces its truth is written: one for all objects, or one for each of the three.
+  /// Into how many pieces its truth is written: one for all objects, or one for each.
   [[nodiscard]] virtual int truth_pieces() const = 0;
   /// What was made of the truth, so that other processes need not make it again; piece 1 to `truth_pieces`.
   /// Makes it where it is not there yet.

@@ -157,23 +157,23 @@ std::vector<PictureSquare> squares_that_meet(const Camera& camera, int x, int y,
   return squares;
 }
 
-/// Emission and area by class, [front][surface].
+/// Emission and area by class, [front][surface] in one row.
 struct ClassSums {
-  std::array<std::array<Rgb, 4>, 4> emission;
-  std::array<std::array<float, 4>, 4> area = {};
-  ClassSums() {
-    for (auto& of_front : emission) of_front.fill(Rgb::Zero());
-  }
+  std::size_t classes;
+  std::vector<Rgb> emission;
+  std::vector<float> area;
+  explicit ClassSums(std::size_t count)
+      : classes(count), emission(count * count, Rgb::Zero()), area(count * count, 0.0F) {}
 };
 
 void look_through(const SceneGeometry& geometry, const Ray& ray, float weight, ClassSums& sums) {
   const std::optional<SurfacePoint> room = geometry.room.nearest(ray);
-  std::array<std::optional<SurfacePoint>, 3> alone;
+  std::vector<std::optional<SurfacePoint>> alone(geometry.alone.size());
   if (geometry.objects.nearest(ray))
-    for (std::size_t k = 0; k < 3; ++k) alone[k] = geometry.alone[k].nearest(ray);
+    for (std::size_t k = 0; k < alone.size(); ++k) alone[k] = geometry.alone[k].nearest(ray);
   const auto nearest_without = [&](int left_out) {
     const SurfacePoint* nearest = room ? &*room : nullptr;
-    for (int k = 1; k <= 3; ++k)
+    for (int k = 1; k <= geometry.worlds.object_count; ++k)
       if (const auto& hit = alone[static_cast<std::size_t>(k - 1)];
           k != left_out && hit && (nearest == nullptr || hit->distance_m < nearest->distance_m))
         nearest = &*hit;
@@ -181,9 +181,10 @@ void look_through(const SceneGeometry& geometry, const Ray& ray, float weight, C
   };
   const auto add = [&](int front, const SurfacePoint* surface) {
     if (surface == nullptr) return;
-    const auto f = static_cast<std::size_t>(front), s = static_cast<std::size_t>(surface->object_index);
-    sums.emission[f][s] += weight * surface->emission;
-    sums.area[f][s] += weight;
+    const std::size_t place =
+        static_cast<std::size_t>(front) * sums.classes + static_cast<std::size_t>(surface->object_index);
+    sums.emission[place] += weight * surface->emission;
+    sums.area[place] += weight;
   };
   const SurfacePoint* front = nearest_without(0);
   if (front == nullptr) return;
@@ -192,13 +193,13 @@ void look_through(const SceneGeometry& geometry, const Ray& ray, float weight, C
 }
 
 /// Mean emission of each class over its part of a pixel.
-std::array<std::array<Rgb, 4>, 4> class_means(const TruthScene& scene, const SceneGeometry& geometry, int x,
-                                              int y, const Pieces& pieces) {
+std::vector<Rgb> class_means(const TruthScene& scene, const SceneGeometry& geometry, int x, int y,
+                             const Pieces& pieces) {
   const Camera& camera = scene.camera;
   const auto ray_through = [&](float across, float down) {
     return Ray{camera.place_m(x), seen_direction(camera, x, across, down)};
   };
-  ClassSums emitted, all;
+  ClassSums emitted(geometry.worlds.count()), all(geometry.worlds.count());
   for (const PictureSquare& square : squares_that_meet(camera, x, y, pieces)) {
     const float middle = 0.5F * square.side_px;
     const Ray ray = ray_through(square.left + middle, square.top + middle);
@@ -210,10 +211,9 @@ std::array<std::array<Rgb, 4>, 4> class_means(const TruthScene& scene, const Sce
                                 static_cast<float>(y) + place(i / area_side));
     if (ray.direction.norm() > 0.5F) look_through(geometry, ray, 1.0F / (area_side * area_side), all);
   }
-  for (std::size_t f = 0; f < 4; ++f)
-    for (std::size_t s = 0; s < 4; ++s)
-      if (const float area = std::max(all.area[f][s], emitted.area[f][s]); area > 0.0F)
-        emitted.emission[f][s] /= area;
+  for (std::size_t place = 0; place < emitted.area.size(); ++place)
+    if (const float area = std::max(all.area[place], emitted.area[place]); area > 0.0F)
+      emitted.emission[place] /= area;
   return emitted.emission;
 }
 
@@ -225,7 +225,7 @@ std::shared_ptr<const SeenEmission> find_seen_emission(const TruthScene& scene, 
   const Camera& camera = scene.camera;
   const BlockGrid blocks{camera.width_px, camera.height_px};
   const SceneGeometry geometry(scene);
-  std::vector<std::vector<std::pair<std::size_t, SeenEmission::Means>>> of_blocks(
+  std::vector<std::vector<std::pair<std::size_t, std::vector<Rgb>>>> of_blocks(
       static_cast<std::size_t>(blocks.count()));
   parallel_for(blocks.count(), threads, [&](int block) {
     const BlockGrid::Rectangle r = blocks.rectangle(block);
@@ -248,11 +248,12 @@ std::shared_ptr<const SeenEmission> find_seen_emission(const TruthScene& scene, 
   });
   auto seen = std::make_shared<SeenEmission>();
   seen->width_px_ = camera.width_px;
+  seen->classes_ = geometry.worlds.count();
   seen->found_.resize(blocks.index(0, camera.height_px));
   for (const auto& of_block : of_blocks)
     for (const auto& [pixel, means] : of_block) {
-      seen->means_.push_back(means);
-      seen->found_[pixel] = static_cast<std::uint32_t>(seen->means_.size());
+      seen->means_.insert(seen->means_.end(), means.begin(), means.end());
+      seen->found_[pixel] = static_cast<std::uint32_t>(seen->pixels());
     }
   if (seen->means_.empty()) return nullptr;
   return seen;

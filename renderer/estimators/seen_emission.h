@@ -1,5 +1,4 @@
 #pragma once
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -23,24 +22,24 @@ class SeenEmission {
   /// object that the ray meets first (0: none), `point` that surface or the first one behind it.
   void even_out(int x, int y, int front, SurfacePoint& point) const {
     const std::uint32_t found = found_[index(x, y)];
-    if (found != 0)
-      point.emission =
-          means_[found - 1][static_cast<std::size_t>(front)][static_cast<std::size_t>(point.object_index)];
+    if (found == 0) return;
+    const auto f = static_cast<std::size_t>(front), s = static_cast<std::size_t>(point.object_index);
+    point.emission = means_[((found - 1) * classes_ + f) * classes_ + s];
   }
   /// Number of pixels that small emitters may cover.
-  [[nodiscard]] std::size_t pixels() const { return means_.size(); }
+  [[nodiscard]] std::size_t pixels() const { return means_.size() / (classes_ * classes_); }
 
  private:
   friend std::shared_ptr<const SeenEmission> find_seen_emission(const TruthScene& scene, int threads);
-  using Means = std::array<std::array<Rgb, 4>, 4>;  ///< [front][surface]: over its part of the pixel
 
   [[nodiscard]] std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px_) + static_cast<std::size_t>(x);
   }
 
   int width_px_ = 0;
+  std::size_t classes_ = 1;           ///< the room and each object
   std::vector<std::uint32_t> found_;  ///< of each pixel: 0, or 1 more than its place in `means_`
-  std::vector<Means> means_;
+  std::vector<Rgb> means_;            ///< [pixel found][front][surface]: over its part of the pixel
 };
 
 /// Null where no small emitter is in view, which costs nothing but a look at the emitting triangles.

@@ -39,10 +39,19 @@ struct Unmirrored {
   [[nodiscard]] Split with(const Rgb& mirrored) const { return {direct, bounce, mirrored}; }
 };
 
-/// What the camera sees through one pixel in each world, summed over the samples of one half.
+/// Worlds that stand together: those of the usual three objects.
+inline constexpr std::size_t worlds_a_group = 4;
+
+/// What the camera sees through one pixel in each world of a group, summed over the samples of one half.
 struct WorldPixel {
-  std::array<Unmirrored, 4> seen = {};  ///< light of the surfaces that each world shows
-  std::array<float, 4> surfaces = {};   ///< number of samples that show a surface; the others show sky
+  std::array<Unmirrored, worlds_a_group> seen = {};  ///< light of the surfaces that each world shows
+  std::array<float, worlds_a_group> surfaces = {};   ///< samples that show a surface; the others show sky
+};
+
+/// Where a world of a pixel stands among groups.
+struct WorldPlace {
+  std::size_t pixel = 0;  ///< in `SceneSums::halves`
+  std::size_t world = 0;  ///< in the group
 };
 
 /// Where an object lies on the camera ray, before or behind other things; of one pixel and half.
@@ -56,7 +65,7 @@ struct ObjectPixel {
 
 /// What is mirrored of the light in a `WorldPixel` and an `ObjectPixel`.
 struct WorldMirrored {
-  std::array<Rgb, 4> seen = {Rgb::Zero(), Rgb::Zero(), Rgb::Zero(), Rgb::Zero()};
+  std::array<Rgb, worlds_a_group> seen = {Rgb::Zero(), Rgb::Zero(), Rgb::Zero(), Rgb::Zero()};
 };
 struct ObjectMirrored {
   Rgb object = Rgb::Zero(), behind = Rgb::Zero(), behind_with = Rgb::Zero(), hidden = Rgb::Zero();
@@ -119,14 +128,28 @@ struct ObjectTile {
 /// All sums of a scene, its worlds and its objects.
 struct SceneSums {
   TileGrid grid;
-  std::array<std::vector<WorldPixel>, 2> halves;       ///< row by row
+  std::size_t groups = 1;                              ///< of worlds, a pixel: as many as its objects need
+  std::array<std::vector<WorldPixel>, 2> halves;       ///< row by row, groups of a pixel side by side
   std::array<std::vector<WorldMirrored>, 2> mirrored;  ///< likewise; empty where nothing is glossy
-  std::array<std::vector<SeenSurface>, 3> guides;      ///< of the surfaces that world k shows, at [k - 1]
-  std::array<std::vector<std::unique_ptr<ObjectTile>>, 3> objects;  ///< [object][tile], may be null
-  std::vector<int> spp;                                             ///< of each block, even
+  std::vector<std::vector<SeenSurface>> guides;        ///< of the surfaces that world k shows, at [k - 1]
+  std::vector<std::vector<std::unique_ptr<ObjectTile>>> objects;  ///< [object][tile], may be null
+  std::vector<int> spp;                                           ///< of each block, even
   RayCounts counts;
 
   [[nodiscard]] std::size_t index(int x, int y) const { return grid.index(x, y); }
+  [[nodiscard]] WorldPlace place_of(std::size_t pixel, std::size_t world) const {
+    return {pixel * groups + world / worlds_a_group, world % worlds_a_group};
+  }
+  /// Samples of a half that show a surface in a world.
+  [[nodiscard]] float surfaces(std::size_t half, std::size_t pixel, std::size_t world) const {
+    const WorldPlace at = place_of(pixel, world);
+    return halves[half][at.pixel].surfaces[at.world];
+  }
+  /// Light of a half that a world shows.
+  [[nodiscard]] Split seen(std::size_t half, std::size_t pixel, std::size_t world) const {
+    const WorldPlace at = place_of(pixel, world);
+    return halves[half][at.pixel].seen[at.world].with(mirrored_at(mirrored[half], at.pixel).seen[at.world]);
+  }
   [[nodiscard]] BlockGrid blocks() const { return {grid.width_px, grid.height_px, grid.wraps}; }
   /// Samples of a pixel.
   [[nodiscard]] int samples_at(int x, int y) const {
@@ -134,7 +157,7 @@ struct SceneSums {
   }
 };
 
-/// The tiles that an object (1 to 3) is seen or hidden in.
+/// The tiles that an object (from 1) is seen or hidden in.
 [[nodiscard]] inline TileSet tiles_of_object(const SceneSums& sums, int object) {
   TileSet tiles;
   for (const auto& there : sums.objects[static_cast<std::size_t>(object - 1)])

@@ -17,7 +17,11 @@ void PathBatch::begin(const Worlds& worlds, const Light& light) {
 }
 
 std::span<const PathLight> PathBatch::trace() {
+  const std::size_t worlds = worlds_->count();
+  lights_.assign(starts_.size() * worlds, {});
   found_.assign(starts_.size(), {});
+  for (std::size_t path = 0; path < found_.size(); ++path)
+    found_[path].light = std::span(lights_).subspan(path * worlds, worlds);
   mirrors_ = false;
   mirrored_shares_.clear();
   vertices_.clear();

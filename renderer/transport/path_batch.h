@@ -15,7 +15,7 @@ struct PathRules {
   /// A constant sky at the first surface is added to the light that may be filtered.
   bool sky_joins_bounce = false;
   bool without_first_suns = false;  ///< another answers what suns do at the first surface
-  WorldSet reach_of = 0xFF;         ///< worlds by which `PathLight::reach_m` is measured
+  WorldSet reach_of = 0xFFFF;       ///< worlds by which `PathLight::reach_m` is measured
 };
 /// Every `tail_every`-th sample of each half has a tail.
 [[nodiscard]] inline PathRules path_rules(const Sampler& sampler, int tail_every,
@@ -36,8 +36,9 @@ struct PathStart {
 /// What a path found.
 struct PathLight {
   /// Radiance that the point sends to the camera, in the worlds that show it. The point's own emission counts
-  /// as direct light, so that no filter of bounce light touches it.
-  WorldLight light = {};
+  /// as direct light, so that no filter of bounce light touches it. [world]; lives as long as the batch,
+  /// until it begins anew.
+  std::span<Split> light = {};
   /// How far the first ray got, in those of `PathRules::reach_of` that show the point; infinity: to the sky.
   float reach_m = std::numeric_limits<float>::infinity();
 };
@@ -108,6 +109,7 @@ class PathBatch {
   RayCounts counts_;
   std::vector<PathStart> starts_;
   std::vector<PathLight> found_;
+  std::vector<Split> lights_;  ///< of `found_`, path by path
   std::vector<Vertex> vertices_, next_vertices_;
   std::vector<Eigen::Array2f> points_;  ///< of each vertex
   std::vector<Ray> rays_;

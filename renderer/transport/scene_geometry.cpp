@@ -4,12 +4,15 @@ namespace seamline::renderer {
 
 SceneGeometry::SceneGeometry(const TruthScene& scene)
     : room(scene.geometry(true, {}, Edges::loose)),
-      objects(scene.geometry(false, {1, 2, 3}, Edges::loose)),
-      alone{scene.geometry(false, {1}, Edges::loose), scene.geometry(false, {2}, Edges::loose),
-            scene.geometry(false, {3}, Edges::loose)},
-      others{scene.geometry(false, {2, 3}, Edges::loose), scene.geometry(false, {1, 3}, Edges::loose),
-             scene.geometry(false, {1, 2}, Edges::loose)},
-      worlds{&room, &objects, {&others[0], &others[1], &others[2]}, 3} {}
+      objects(scene.geometry(false, scene.object_indices(), Edges::loose)),
+      worlds{&room, &objects, {}, static_cast<int>(scene.objects.size())} {
+  for (const int object : scene.object_indices()) {
+    alone.push_back(scene.geometry(false, {object}, Edges::loose));
+    if (scene.objects.size() > 1)
+      others.push_back(scene.geometry(false, scene.other_indices(object), Edges::loose));
+  }
+  for (std::size_t i = 0; i < others.size(); ++i) worlds.others[i] = &others[i];
+}
 
 ObjectGeometry object_geometry(const TruthScene& scene, int object_index) {
   return {scene.geometry_without(object_index), scene.geometry(false, {object_index})};

@@ -1,5 +1,5 @@
 #pragma once
-#include <array>
+#include <vector>
 
 #include "raytracer/scene/truth_scene.h"
 #include "renderer/transport/worlds.h"
@@ -14,14 +14,14 @@ struct SceneGeometry {
   SceneGeometry& operator=(const SceneGeometry&) = delete;
   ~SceneGeometry() = default;
 
-  Geometry room;                   ///< the background alone
-  Geometry objects;                ///< the three objects
-  std::array<Geometry, 3> alone;   ///< each object
-  std::array<Geometry, 3> others;  ///< the two other objects
+  Geometry room;                 ///< the background alone
+  Geometry objects;              ///< all objects
+  std::vector<Geometry> alone;   ///< each object
+  std::vector<Geometry> others;  ///< the other objects of each; none where there is one object
   Worlds worlds;
 };
 
-/// The truth of one virtual object: T (background and the two others) and the object alone.
+/// The truth of one virtual object: T (background and the others) and the object alone.
 struct ObjectGeometry {
   Geometry truth;
   Geometry object;

@@ -6,24 +6,30 @@
 #include "raytracer/common/sampler.h"
 #include "raytracer/light/light.h"
 #include "renderer/transport/transport.h"
+#include "stimuli/definition/parts/task_definition.h"
 
 namespace seamline::renderer {
 
 /// A set of worlds, bit v for world v.
-using WorldSet = std::uint8_t;
+using WorldSet = std::uint16_t;
+static_assert(most_objects_of_scene < 16);
 [[nodiscard]] constexpr WorldSet only_world(int world) {
   return static_cast<WorldSet>(1U << static_cast<unsigned>(world));
 }
 
-/// The worlds that differ by which virtual object is there: world 0 has all objects, world k (1 to 3) lacks
+/// The worlds that differ by which virtual object is there: world 0 has all objects, world k (from 1) lacks
 /// object k. One computation serves all of them, because most paths meet no object and are the same in each;
-/// they part only where one does (documentation/developers/design.md, section 3: three backgrounds and the
+/// they part only where one does (documentation/developers/design.md, section 3: the backgrounds and the
 /// reference of a scene rendered jointly).
 struct Worlds {
-  const Geometry* room = nullptr;              ///< what is in every world
-  const Geometry* objects = nullptr;           ///< all objects together
-  std::array<const Geometry*, 3> others = {};  ///< [k - 1]: the objects of world k; null: none
+  const Geometry* room = nullptr;     ///< what is in every world
+  const Geometry* objects = nullptr;  ///< all objects together
+  /// [k - 1]: the objects of world k; null: none.
+  std::array<const Geometry*, most_objects_of_scene> others = {};
   int object_count = 0;
+
+  /// World 0 and one for each object.
+  [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(object_count) + 1; }
 
   [[nodiscard]] WorldSet all() const { return static_cast<WorldSet>((1U << (object_count + 1)) - 1U); }
   [[nodiscard]] bool emits() const { return room->emits() || objects->emits(); }
@@ -57,8 +63,5 @@ struct Worlds {
     return object_count == 1 ? 1 : object_point.object_index;
   }
 };
-
-/// Light in each world.
-using WorldLight = std::array<Split, 4>;
 
 }  // namespace seamline::renderer

@@ -7,6 +7,7 @@
 #include "renderer/views/anaglyph.h"
 #include "renderer/views/depth_image.h"
 #include "renderer/views/lens_sheet.h"
+#include "stimuli/definition/parts/task_definition.h"
 
 namespace seamline::renderer {
 namespace {
@@ -17,7 +18,7 @@ ByteImage seen_by_most(const ByteImage& all_eyes, int eyes) {
   ByteImage ids{width_px, all_eyes.height_px, 1, {}};
   for (int y = 0; y < all_eyes.height_px; ++y)
     for (int x = 0; x < width_px; ++x) {
-      std::array<int, 4> votes{};
+      std::array<int, most_objects_of_scene + 1> votes{};
       for (int eye = 0; eye < eyes; ++eye)
         ++votes.at(all_eyes.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(all_eyes.width_px) +
                                    static_cast<std::size_t>(eye * width_px + x)]);

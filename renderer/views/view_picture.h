@@ -14,7 +14,7 @@ namespace seamline::renderer {
 [[nodiscard]] ByteImage shown_bytes(const View& view, const Image& picture, double exposure_ev,
                                     const Image& planar_m);
 
-/// Which object a click means, of the click map of a view's camera (0 background, 1 to 3 objects). Where one
+/// Which object a click means, of the click map of a view's camera (0 background, objects from 1). Where one
 /// pixel shows several eyes, the object that most of them see there, the left one of equals; the background
 /// only where all see it. Depth beside a picture is background: nothing is chosen there.
 [[nodiscard]] ByteImage view_click_map(const View& view, const ByteImage& all_eyes);

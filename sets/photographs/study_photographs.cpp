@@ -154,7 +154,7 @@ int write_photographs(const StudyDefinition& study, const PhotographsRequest& re
   const std::vector<DepthView> views = depth_views(study);
   std::vector<Wanted> wanted;
   for (std::size_t t = 0; t < truths.size(); ++t)
-    for (int object = 1; object <= 3; ++object)
+    for (int object = 1; object <= static_cast<int>(truths[t].objects.size()); ++object)
       for (std::size_t v = 0; v < views.size(); ++v) {
         const std::string name = truths[t].truth + "-" +
                                  truths[t].objects[static_cast<std::size_t>(object - 1)].name +

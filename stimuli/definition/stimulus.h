@@ -13,7 +13,7 @@ struct Stimulus {
   std::string scene;
   Artifact artifact = Artifact::none;
   std::string object;                            ///< the virtual object's name
-  int object_index = 0;                          ///< 1 left, 2 middle, 3 right
+  int object_index = 0;                          ///< from the left, from 1
   std::string condition = {};                    ///< its name; empty where the study has one condition
   Quantity quantity = Quantity::depth_width_px;  ///< the study's: what the level is a value of
   double level = 0;

@@ -11,7 +11,7 @@ namespace seamline::inline stimuli {
 [[nodiscard]] ByteImage panorama_view(const ByteImage& panorama, const LookDefinition& look,
                                       const std::array<double, 2>& pose_deg);
 
-/// Yaw and pitch in degrees of the middle of an object (1 to 3) in a panorama's click map: its mean
+/// Yaw and pitch in degrees of the middle of an object (from 1) in a panorama's click map: its mean
 /// direction. Straight ahead where it is not there.
 [[nodiscard]] std::array<double, 2> object_pose_deg(const ByteImage& object_ids, int object_index);
 

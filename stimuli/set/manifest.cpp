@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "stimuli/definition/parts/task_definition.h"
 #include "stimuli/set/clip_set.h"
 #include "stimuli/set/json_fields.h"
 #include "stimuli/settings/study_settings.h"
@@ -154,7 +155,7 @@ Stimulus read_stimulus(const JsonFields& fields) {
   Stimulus stimulus{.scene = read_name(fields, "scene"),
                     .artifact = read_artifact(fields),
                     .object = read_name(fields, "object"),
-                    .object_index = fields.number("object_index", 1, 3),
+                    .object_index = fields.number("object_index", 1, most_objects_of_scene),
                     .level = static_cast<double>(width_px),
                     .depth = {.width_px = width_px,
                               .yaw_texels = condition.real("yaw_texels", -widest_depth_px, widest_depth_px)}};

@@ -63,7 +63,7 @@ struct ManifestStimulus {
   Stimulus stimulus;
   Isolation isolation = Isolation::query;
   std::string image;
-  std::string object_ids;  ///< 8-bit PNG: 0 background, 1 left, 2 middle, 3 right
+  std::string object_ids;  ///< 8-bit PNG: 0 background, objects from 1 on the left
   std::string reference;
   int spp = 0;
   std::int64_t rays = 0;       ///< traced for this stimulus

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "stimuli/definition/parts/task_definition.h"
 #include "stimuli/settings/read_settings.h"
 #include "stimuli/settings/study_settings.h"
 #include "stimuli/study_file/carried_files.h"
@@ -195,8 +196,9 @@ StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& fol
   read_people(table, study);
   read_task(table, study);
   std::set<std::string> names;
+  const int objects = objects_of(study);
   for (const TomlTable& scene : table.tables("scene")) {
-    study.scenes.push_back(read_scene(scene, folders, assets, study.level.quantity, clip.get()));
+    study.scenes.push_back(read_scene(scene, folders, assets, study.level.quantity, clip.get(), objects));
     if (!names.insert(study.scenes.back().name).second)
       throw scene.complaint("name", "a name that no other scene has", "\"" + study.scenes.back().name + "\"");
   }

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "stimuli/definition/looks/study_look.h"
+#include "stimuli/definition/parts/task_definition.h"
 #include "stimuli/settings/read_settings.h"
 #include "stimuli/settings/scene_settings.h"
 #include "stimuli/study_file/moving/study_file_clip.h"
@@ -90,7 +91,7 @@ std::vector<Artifact> read_artifacts(const TomlTable& table) {
 }  // namespace
 
 SceneDefinition read_scene(const TomlTable& table, const AssetFolders& folders, AssetCheck assets,
-                           Quantity level, ClipDefinition* clip) {
+                           Quantity level, ClipDefinition* clip, int objects) {
   SceneDefinition scene;
   scene.name = read_name(table);
   scene.file = table.text("file");
@@ -112,8 +113,11 @@ SceneDefinition read_scene(const TomlTable& table, const AssetFolders& folders, 
     read_path(object, scene.objects.back(), scene.name, level, clip);
   }
   table.finish();
-  if (scene.objects.size() != 3)
-    throw table.complaint("object", "three objects: left, middle, right",
+  if (static_cast<int>(scene.objects.size()) != objects)
+    throw table.complaint("object",
+                          objects == usual_objects
+                              ? "three objects: left, middle, right"
+                              : std::to_string(objects) + ", as [task] says (objects), from left to right",
                           std::to_string(scene.objects.size()));
   scene.path = find_asset(table, "file", scene.file, folders, assets);
   return scene;

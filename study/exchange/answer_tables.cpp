@@ -1,5 +1,7 @@
 #include "study/exchange/answer_tables.h"
 
+#include <fmt/core.h>
+
 #include <cstddef>
 #include <filesystem>
 #include <map>
@@ -7,12 +9,33 @@
 #include <string>
 #include <utility>
 
+#include "stimuli/definition/parts/task_definition.h"
 #include "study/exchange/clip_records.h"
 #include "study/exchange/look_tables.h"
 #include "study/exchange/match_records.h"
 #include "study/log/online/reading_languages.h"
 
 namespace seamline::study {
+
+std::string place_words(const LogContents& log) {
+  const int objects = facts_of(log.task.get()).objects;
+  return objects == usual_objects ? "1 left, 2 middle, 3 right"
+                                  : fmt::format("1 to {} from the left", objects);
+}
+
+std::string choice_words(const LogContents& log) {
+  const TaskFacts task = facts_of(log.task.get());
+  return fmt::format(
+      "{}, 1 to {}",
+      task.kind == TaskKind::object ? "which object was said to be inserted" : "which alternative was chosen",
+      task.alternatives);
+}
+
+std::string correct_words(const LogContents& log) {
+  return facts_of(log.task.get()).kind == TaskKind::object ? "1 where that is object_index"
+                                                           : "1 where that was the right one";
+}
+
 namespace {
 
 CsvValue whole(std::int64_t value) {
@@ -37,11 +60,11 @@ CsvTable table_of_answers(const LogContents& log) {
                   {"scene", "", "name of the scene"},
                   {"artifact", "", "which question the depth mesh answered wrongly"},
                   {"object", "", "name of the object that was inserted"},
-                  {"object_index", "", "where it stood: 1 left, 2 middle, 3 right"},
+                  {"object_index", "", "where it stood: " + place_words(log)},
                   {"condition", "", "name of the condition; empty where the study has one"},
                   {"level", std::string(facts(log.quantity).unit), std::string(facts(log.quantity).name)},
-                  {"chosen_index", "", "which object was said to be inserted, 1 to 3"},
-                  {"correct", "", "1 where that is object_index"},
+                  {"chosen_index", "", choice_words(log)},
+                  {"correct", "", correct_words(log)},
                   {"rating", "", "how noticeable, 1 slightly to 4 extremely"},
                   {"noticeability", "", "0 where the choice is wrong, else the rating"},
                   {"choice_s", "s", "from the picture's onset to the choice"},
@@ -64,8 +87,9 @@ CsvTable table_of_catches(const LogContents& log) {
                   {"trial_index", "", "place in the participant's order, from 0"},
                   {"kind", "", "attention: an insertion nobody can miss; reference: nothing inserted"},
                   {"scene", "", "name of the scene"},
-                  {"right_index", "", "1 to 3; 0 where nothing is right"},
-                  {"chosen_index", "", "which object was said to be inserted, 1 to 3"},
+                  {"right_index", "",
+                   fmt::format("1 to {}; 0 where nothing is right", facts_of(log.task.get()).alternatives)},
+                  {"chosen_index", "", choice_words(log)},
                   {"correct", "", "1 where that is right_index"},
                   {"rating", "", "how noticeable, 1 slightly to 4 extremely"},
                   {"choice_s", "s", "from the picture's onset to the choice"},

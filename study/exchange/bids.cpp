@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "stimuli/definition/parts/task_definition.h"
 #include "study/exchange/answer_tables.h"
 #include "study/exchange/clip_records.h"
 #include "study/exchange/dataset.h"
@@ -29,27 +30,41 @@ CsvValue time_cell(std::int64_t time_ns) {
   return 1e-9 * static_cast<double>(time_ns);
 }
 
+/// What the column of places means.
+std::string right_words(const LogContents& log) {
+  if (facts_of(log.task.get()).kind == TaskKind::object)
+    return "the right choice: " + place_words(log) + "; 0: nothing is right";
+  return "the object's place: " + place_words(log) +
+         "; of catch trials the right choice, 0: nothing is right";
+}
+
+std::string task_sentence(const LogContents& log) {
+  const TaskFacts task = facts_of(log.task.get());
+  if (task.kind != TaskKind::object) return usual_texts(*log.task).question;
+  return fmt::format("Say which of {} objects was inserted{}", number_word(task.objects),
+                     task.rates ? ", and how noticeable it is" : "");
+}
+
 CsvTable empty_beh_table(const LogContents& log) {
-  return {
-      .name = "beh",
-      .columns = {{"trial_index", "", "place in the participant's order, from 0"},
-                  {"trial_type", "",
-                   "stimulus; attention: an insertion nobody can miss; reference: nothing inserted"},
-                  {"stimulus_id", "", "as in the set's manifest"},
-                  {"scene", "", "name of the scene"},
-                  {"artifact", "", "which question the depth mesh answered wrongly"},
-                  {"object", "", "name of the object that was inserted"},
-                  {"object_index", "", "the right choice: 1 left, 2 middle, 3 right; 0: nothing is right"},
-                  {"condition", "", "name of the condition, where the study has several"},
-                  {"level", std::string(facts(log.quantity).unit), std::string(facts(log.quantity).name)},
-                  {"chosen_index", "", "which object was said to be inserted, 1 to 3"},
-                  {"correct", "", "1 where that is object_index"},
-                  {"rating", "", "how noticeable, 1 slightly to 4 extremely"},
-                  {"noticeability", "", "0 where the choice is wrong, else the rating; of stimuli alone"},
-                  {"response_time", "s", "from the picture's onset to the choice"},
-                  {"rating_time", "s", "from the picture's onset to the rating"},
-                  {"image_scale", "", "screen pixels a picture pixel"}},
-      .rows = {}};
+  return {.name = "beh",
+          .columns = {{"trial_index", "", "place in the participant's order, from 0"},
+                      {"trial_type", "",
+                       "stimulus; attention: an insertion nobody can miss; reference: nothing inserted"},
+                      {"stimulus_id", "", "as in the set's manifest"},
+                      {"scene", "", "name of the scene"},
+                      {"artifact", "", "which question the depth mesh answered wrongly"},
+                      {"object", "", "name of the object that was inserted"},
+                      {"object_index", "", right_words(log)},
+                      {"condition", "", "name of the condition, where the study has several"},
+                      {"level", std::string(facts(log.quantity).unit), std::string(facts(log.quantity).name)},
+                      {"chosen_index", "", choice_words(log)},
+                      {"correct", "", correct_words(log)},
+                      {"rating", "", "how noticeable, 1 slightly to 4 extremely"},
+                      {"noticeability", "", "0 where the choice is wrong, else the rating; of stimuli alone"},
+                      {"response_time", "s", "from the picture's onset to the choice"},
+                      {"rating_time", "s", "from the picture's onset to the rating"},
+                      {"image_scale", "", "screen pixels a picture pixel"}},
+          .rows = {}};
 }
 
 BehRow beh_row(const Answer& a) {
@@ -153,9 +168,7 @@ std::vector<DatasetFile> bids_files(const LogContents& log, const std::optional<
                      tsv_text(anonymity ? without_order(beh, *anonymity) : beh)});
   }
   if (anonymity) beh = without_order(std::move(beh), *anonymity);
-  BidsJson sidecar = {
-      {"TaskName", task},
-      {"TaskDescription", "Say which of three objects was inserted, and how noticeable it is"}};
+  BidsJson sidecar = {{"TaskName", task}, {"TaskDescription", task_sentence(log)}};
   sidecar.update(columns_json(beh));
   files.push_back({fmt::format("task-{}_beh.json", task), bids_json_text(sidecar)});
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "stimuli/definition/parts/task_definition.h"
 #include "study/exchange/answer_tables.h"
 #include "support/files/assets.h"
 #include "support/text/csv.h"
@@ -31,6 +32,21 @@ std::string file_label(const std::string& name) {
   return label.empty() ? "study" : label;
 }
 
+namespace {
+
+/// What a trial asks.
+std::string trial_sentence(const LogContents& log) {
+  const TaskFacts task = facts_of(log.task.get());
+  if (task.kind != TaskKind::object) return "A trial asks: " + usual_texts(*log.task).question;
+  return fmt::format(
+      "A trial is a picture with {} objects; the participant says which one\n  was inserted by a "
+      "computer{}.",
+      number_word(task.objects),
+      task.rates ? ", and how noticeable that is, from 1 (slightly) to 4 (extremely)" : "");
+}
+
+}  // namespace
+
 std::string dataset_readme(const LogContents& log, const std::string& layout,
                            const std::optional<Anonymity>& anonymity) {
   const auto simulated = std::count_if(log.participants.begin(), log.participants.end(),
@@ -38,15 +54,13 @@ std::string dataset_readme(const LogContents& log, const std::string& layout,
   std::string text = fmt::format(
       "# {}\n\nAnswers to the study \"{}\", written by Seamline {} in the layout of {}.\n\n"
       "- People: {}{}. {}, each marked.\n"
-      "- Answers: {} to stimuli, {} to catch trials. A trial is a picture with three objects; the "
-      "participant says which one\n  was inserted by a computer, and how noticeable that is, from 1 "
-      "(slightly) to 4 (extremely).\n"
+      "- Answers: {} to stimuli, {} to catch trials. {}\n"
       "- Study file: SHA-256 of its settings {}. Stimuli: SHA-256 of their manifest {}.\n",
       clean_text(log.study_name), clean_text(log.study_name), program_version(), layout,
       log.participants.size(), simulated > 0 ? fmt::format(", {} of them simulated", simulated) : "",
       anonymity ? "The excluded and trial runs are among them"
                 : "Everybody is in it, also the excluded and trial runs",
-      log.answers.size(), log.catches.size(), log.study_hash, log.set_hash);
+      log.answers.size(), log.catches.size(), trial_sentence(log), log.study_hash, log.set_hash);
   text +=
       anonymity
           ? fmt::format(

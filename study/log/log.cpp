@@ -168,16 +168,16 @@ std::vector<Answer> read_answers(SQLite::Database& database, const fs::path& fil
                        .scene = values.text(3),
                        .artifact = artifact_of(row.getColumn(4).getString(), file),
                        .object = values.text(5),
-                       .object_index = values.number(6, 1, 3),
+                       .object_index = values.number(6, 1, most_objects_of_scene),
                        .depth_width_px = values.number(7, 2),
                        .condition = values.text(13),
                        .level = values.real(14, level.least, level.most),
-                       .chosen_index = values.number(8, 1, 3),
+                       .chosen_index = values.number(8, 1, most_objects_of_scene),
                        .rating = values.number(9, 1, 4),
                        .choice_ns = values.time(10),
                        .rating_ns = values.time(11),
                        .image_scale = values.positive(12),
-                       .right_index = values.number(15, 0, 3)});
+                       .right_index = values.number(15, 0, most_objects_of_scene)});
   return answers;
 }
 
@@ -194,15 +194,16 @@ std::vector<CatchTrialAnswer> read_catches(SQLite::Database& database, const fs:
   std::vector<CatchTrialAnswer> catches;
   while (row.executeStep()) {
     const TrialKind kind = values.kind(2);
-    const int right_index = values.number(9, 0, 3);
+    const int right_index = values.number(9, 0, most_objects_of_scene);
     catches.push_back({.participant = values.text(0),
                        .trial_index = values.number(1, 0),
                        .kind = kind,
                        .scene = values.text(3),
-                       .right_index = right_index != 0               ? right_index
-                                      : kind == TrialKind::attention ? values.number(4, 1, 3)
-                                                                     : 0,
-                       .chosen_index = values.number(5, 1, 3),
+                       .right_index = right_index != 0 ? right_index
+                                      : kind == TrialKind::attention
+                                          ? values.number(4, 1, most_objects_of_scene)
+                                          : 0,
+                       .chosen_index = values.number(5, 1, most_objects_of_scene),
                        .rating = values.number(6, 1, 4),
                        .choice_ns = values.time(7),
                        .rating_ns = values.time(8)});

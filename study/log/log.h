@@ -27,11 +27,11 @@ struct Answer {
   std::string scene;
   Artifact artifact = Artifact::none;
   std::string object;
-  int object_index = 0;  ///< where the object stands, and the right choice: 1 left, 2 middle, 3 right
+  int object_index = 0;  ///< where the object stands, and the right choice, from 1
   int depth_width_px = 0;
   std::string condition = {};  ///< its name; empty where the study has one condition
   double level = 0;            ///< of the log's quantity
-  int chosen_index = 0;        ///< 1..3
+  int chosen_index = 0;        ///< from 1
   int rating = 0;              ///< 1..4, asked on every trial
   std::int64_t choice_ns = 0;  ///< monotonic, from the image's onset to the choice; 0 for simulated people
   std::int64_t rating_ns = 0;  ///< from the image's onset to the rating; at least choice_ns
@@ -51,7 +51,7 @@ struct CatchTrialAnswer {
   int trial_index = 0;  ///< among all trials of the participant
   TrialKind kind = TrialKind::attention;
   std::string scene;
-  int right_index = 0;  ///< 1..3, 0 where nothing is right (a reference; yes or no: 2)
+  int right_index = 0;  ///< from 1; 0 where nothing is right (a reference; yes or no: 2)
   int chosen_index = 0;
   int rating = 0;
   std::int64_t choice_ns = 0, rating_ns = 0;

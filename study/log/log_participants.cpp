@@ -103,7 +103,7 @@ void LogWriter::Tables::read_answers(OpenSession& session) {
   const LogValues values(row, path, "answers");
   while (row.executeStep())
     session.answers.push_back({.trial_index = values.number(0, 0),
-                               .chosen_index = values.number(1, 1, 3),
+                               .chosen_index = values.number(1, 1, most_objects_of_scene),
                                .rating = values.number(2, 1, 4),
                                .choice_ns = values.time(3),
                                .rating_ns = values.time(4)});

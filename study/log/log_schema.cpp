@@ -40,7 +40,7 @@ CREATE TABLE stimuli (
   scene           TEXT NOT NULL CHECK (length(scene) > 0),
   artifact        TEXT NOT NULL CHECK (artifact IN ({artifacts})),
   object          TEXT NOT NULL CHECK (length(object) > 0),
-  object_index    INTEGER NOT NULL CHECK (object_index BETWEEN 1 AND 3),
+  object_index    INTEGER NOT NULL CHECK (object_index BETWEEN 1 AND {most}),
   depth_width_px  INTEGER NOT NULL CHECK (depth_width_px >= 2 AND depth_width_px % 2 = 0),
   yaw_texels      {yaw} NOT NULL{yaw_check},
   sha256          TEXT NOT NULL{stimuli_since_3}
@@ -128,7 +128,7 @@ CREATE TABLE answers (
   participant     INTEGER NOT NULL REFERENCES participants ON DELETE CASCADE,
   trial_index     INTEGER NOT NULL,
   session         INTEGER NOT NULL REFERENCES sessions ON DELETE CASCADE,
-  chosen_index    INTEGER NOT NULL CHECK (chosen_index BETWEEN 1 AND 3),
+  chosen_index    INTEGER NOT NULL CHECK (chosen_index BETWEEN 1 AND {most}),
   rating          INTEGER NOT NULL CHECK (rating BETWEEN 1 AND 4),
   choice_ns       INTEGER NOT NULL CHECK (choice_ns >= 0),     -- from the image's onset
   rating_ns       INTEGER NOT NULL CHECK (rating_ns >= choice_ns),
@@ -142,7 +142,7 @@ CREATE TABLE training_answers (  -- practice with feedback: never analysed
   training_index  INTEGER NOT NULL CHECK (training_index >= 0),
   kind            TEXT NOT NULL CHECK (kind IN ({kinds})),
   stimulus        INTEGER NOT NULL REFERENCES stimuli,
-  chosen_index    INTEGER NOT NULL CHECK (chosen_index BETWEEN 1 AND 3),
+  chosen_index    INTEGER NOT NULL CHECK (chosen_index BETWEEN 1 AND {most}),
   rating          INTEGER NOT NULL CHECK (rating BETWEEN 1 AND 4),
   choice_ns       INTEGER NOT NULL CHECK (choice_ns >= 0),
   rating_ns       INTEGER NOT NULL CHECK (rating_ns >= choice_ns),
@@ -156,7 +156,7 @@ CREATE TABLE set_aside_answers (  -- of participants who began again: never anal
   kind            TEXT NOT NULL CHECK (kind IN ({kinds})),
   stimulus        INTEGER NOT NULL REFERENCES stimuli,
   session         INTEGER NOT NULL REFERENCES sessions ON DELETE CASCADE,
-  chosen_index    INTEGER NOT NULL CHECK (chosen_index BETWEEN 1 AND 3),
+  chosen_index    INTEGER NOT NULL CHECK (chosen_index BETWEEN 1 AND {most}),
   rating          INTEGER NOT NULL CHECK (rating BETWEEN 1 AND 4),
   choice_ns       INTEGER NOT NULL CHECK (choice_ns >= 0),
   rating_ns       INTEGER NOT NULL CHECK (rating_ns >= choice_ns),
@@ -187,7 +187,7 @@ constexpr const char* study_since_3 = R"sql(,
   noticeability   TEXT NOT NULL CHECK (noticeability IN ('falls', 'rises')))sql";
 
 constexpr const char* trials_of_tasks = R"sql(
-  right_index     INTEGER NOT NULL CHECK (right_index BETWEEN 0 AND 3),  -- alternative that is right; 0: the object, or none)sql";
+  right_index     INTEGER NOT NULL CHECK (right_index BETWEEN 0 AND {most}),  -- alternative that is right; 0: the object, or none)sql";
 
 constexpr const char* stimuli_since_3 = R"sql(,
   condition       TEXT NOT NULL,                               -- '' where the study has one condition
@@ -247,7 +247,11 @@ std::string log_schema_sql(int version) {
                   fmt::arg("yaw", since_3 ? "ANY" : "INTEGER"),
                   fmt::arg("study_since_3", since_3 ? study_since_3 : ""),
                   fmt::arg("stimuli_since_3", since_3 ? stimuli_since_3 : ""),
-                  fmt::arg("trials_of_tasks", knows_tasks(version) ? trials_of_tasks : "")),
+                  fmt::arg("trials_of_tasks", knows_tasks(version)
+                                                  ? fmt::format(fmt::runtime(trials_of_tasks),
+                                                                fmt::arg("most", most_choices(version)))
+                                                  : ""),
+                  fmt::arg("most", most_choices(version))),
       has_online_tables(version) ? online_tables_sql() : "", log_application_id, version);
 }
 

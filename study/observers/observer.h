@@ -27,8 +27,8 @@ inline constexpr std::array<ObserverKind, 4> every_observer_kind = {
 /// Sees the seam with probability P = psi(x), a logistic of the level on the axis of its quantity, which
 /// falls unless the definition says that it rises (study/placement/psychometric_function.h). A level of 0 on
 /// a log2 axis ("none") lies at minus infinity: always seen where noticeability falls, never where it rises.
-/// When it is seen: the right object, rated 1 + Binomial(3, P). When not: a uniform guess of the three,
-/// rated 1.
+/// When it is seen: the right object, rated 1 + Binomial(3, P). When not: a uniform guess of the
+/// alternatives, rated 1.
 struct ThresholdObserver {
   ObserverDefinition definition;
   double shift_octaves = 0;  ///< this person's: added to log2 of every midpoint
@@ -44,7 +44,7 @@ struct ImageObserver {
   double shift_octaves = 0;                               ///< this person's: added to log2 of the gain
 };
 
-/// Never sees anything: a uniform guess of the three, rated 1. Expected noticeability 1/3.
+/// Never sees anything: a uniform guess, rated 1. Expected noticeability of three alternatives 1/3.
 struct GuessingObserver {};
 
 /// Always sees the seam: the right object, rated 4.
@@ -121,9 +121,9 @@ struct LevelPlace {
 ///     E = integral over s of N(s; 0, people_sd^2) [ P (1 + 3P) + (1 - P) / 3 ] ds,   P = P(seen | x, shift
 ///     s)
 ///
-/// where (1 - P) / 3 is the floor from guessing: right by chance one time in three, and then rated 1.
-/// Absolute error under 1e-12. Throws InputError when the definition has no midpoint for the artifact
-/// (and condition).
+/// of the task of three objects, where (1 - P) / 3 is the floor from guessing: right by chance one time in
+/// three, and then rated 1. Absolute error under 1e-12. Throws InputError when the definition has no midpoint
+/// for the artifact (and condition).
 [[nodiscard]] double expected_noticeability(const ObserverDefinition& definition, const LevelPlace& place);
 
 /// The same at a depth width of a study of one condition.

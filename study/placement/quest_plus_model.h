@@ -10,7 +10,7 @@ namespace seamline::study {
 /// How many outcomes the definition tells apart: 2 (wrong, right) or 5 (noticeability 0 to 4).
 [[nodiscard]] int outcome_count(const QuestPlusDefinition& definition);
 
-/// The outcome of an answer whose right choice was `object_index` (1 to 3).
+/// The outcome of an answer whose right choice was `object_index` (from 1).
 [[nodiscard]] int outcome_of(const QuestPlusDefinition& definition, const TrialAnswer& answer,
                              int object_index);
 

@@ -4,9 +4,12 @@
 #include <optional>
 #include <string_view>
 
+#include "stimuli/definition/parts/task_definition.h"
+
 namespace seamline::study {
 
-inline constexpr int objects_per_stimulus = 3;
+/// Where the study does not say how many (`TaskDefinition::objects`).
+inline constexpr int objects_per_stimulus = usual_objects;
 inline constexpr int highest_rating = 4;
 
 /// What a trial is for.
@@ -31,12 +34,12 @@ struct Trial {
   bool operator==(const Trial&) const = default;
 };
 
-/// What a participant did in one trial: chose one of the three objects (or of the task's alternatives), then
+/// What a participant did in one trial: chose one of the objects (or of the task's alternatives), then
 /// rated how noticeable the insertion was (1 where the task does not ask it). Of a rating task alone, the
 /// lowest label is no seam seen (choice 2, rating 1), and the others are one (choice 1, rating 1 to 4).
 struct TrialAnswer {
   int trial_index = 0;         ///< 0-based place among all trials of the participant, of every kind
-  int chosen_index = 0;        ///< 1 left, 2 middle, 3 right
+  int chosen_index = 0;        ///< from 1; of three objects 1 left, 2 middle, 3 right
   int rating = 0;              ///< 1 slightly .. 4 extremely noticeable
   int matched = -1;            ///< of a match, the stimulus at which the participant stopped; -1: none
   std::int64_t choice_ns = 0;  ///< from the image's onset to the choice that counted

@@ -109,9 +109,8 @@ PictureFrame frame_in_view(const LookDefinition& look, const Pose& pose, const O
 
 }  // namespace
 
-std::array<PictureFrame, 3> frames_in_view(const LookDefinition& look, const Pose& pose,
-                                           const ObjectMap& map) {
-  std::array<PictureFrame, 3> frames;
+std::vector<PictureFrame> frames_in_view(const LookDefinition& look, const Pose& pose, const ObjectMap& map) {
+  std::vector<PictureFrame> frames(map.frames.size());
   for (std::size_t i = 0; i < frames.size(); ++i) frames[i] = frame_in_view(look, pose, map, map.frames[i]);
   return frames;
 }

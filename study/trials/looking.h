@@ -36,9 +36,9 @@ struct ViewPlace {
 
 /// The objects as a view shows them: frames of those that less than half is seen of are empty. `nearest` is
 /// left out.
-[[nodiscard]] std::array<PictureFrame, 3> frames_in_view(const LookDefinition& look, const Pose& pose,
-                                                         const ObjectMap& map);
-/// The object at a place of the view: 1..3, or 0.
+[[nodiscard]] std::vector<PictureFrame> frames_in_view(const LookDefinition& look, const Pose& pose,
+                                                       const ObjectMap& map);
+/// The object at a place of the view, from 1, or 0.
 [[nodiscard]] int object_in_view(const LookDefinition& look, const Pose& pose, const ObjectMap& map,
                                  const ViewPlace& at);
 

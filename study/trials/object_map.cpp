@@ -20,7 +20,7 @@ struct Bounds {
   [[nodiscard]] bool empty() const { return right < 0; }
 };
 
-std::array<PictureFrame, 3> equal_frames(const std::array<Bounds, 3>& bounds) {
+std::vector<PictureFrame> equal_frames(const std::vector<Bounds>& bounds) {
   constexpr double margin_px = 6;
   double width_px = 0, height_px = 0;
   for (const Bounds& b : bounds) {
@@ -28,7 +28,7 @@ std::array<PictureFrame, 3> equal_frames(const std::array<Bounds, 3>& bounds) {
     width_px = std::max(width_px, b.right - b.left + 1 + 2 * margin_px);
     height_px = std::max(height_px, b.bottom - b.top + 1 + 2 * margin_px);
   }
-  std::array<PictureFrame, 3> frames;
+  std::vector<PictureFrame> frames(bounds.size());
   for (std::size_t i = 0; i < frames.size(); ++i) {
     if (bounds[i].empty()) continue;
     const double x_px = (bounds[i].left + bounds[i].right + 1) / 2.0;
@@ -62,17 +62,17 @@ std::vector<std::uint8_t> grown(const std::vector<std::uint8_t>& map, int width_
 
 }  // namespace
 
-ObjectMap make_object_map(const ByteImage& object_ids, int reach_px, bool two_eyes) {
+ObjectMap make_object_map(const ByteImage& object_ids, int reach_px, bool two_eyes, int objects) {
   ObjectMap map{
       .width_px = object_ids.width_px, .height_px = object_ids.height_px, .nearest = object_ids.values};
   map.two_eyes = two_eyes;
   const int left_eye_px = two_eyes ? map.width_px / 2 : map.width_px;
-  std::array<Bounds, 3> bounds, right_eye_bounds;
+  std::vector<Bounds> bounds(static_cast<std::size_t>(objects)), right_eye_bounds(bounds.size());
   for (int y = 0; y < map.height_px; ++y)
     for (int x = 0; x < map.width_px; ++x) {
       std::uint8_t& id = map.nearest[static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width_px) +
                                      static_cast<std::size_t>(x)];
-      if (id >= 1 && id <= objects_per_stimulus)
+      if (id >= 1 && id <= objects)
         (x < left_eye_px ? bounds : right_eye_bounds).at(id - 1U).add(x, y);
       else
         id = 0;
@@ -104,11 +104,11 @@ int emptiest_column(const ByteImage& ids) {
 
 }  // namespace
 
-ObjectMap make_panorama_map(const ByteImage& object_ids, int reach_px) {
+ObjectMap make_panorama_map(const ByteImage& object_ids, int reach_px, int objects) {
   const int width_px = object_ids.width_px, columns = emptiest_column(object_ids);
   ByteImage turned = object_ids;
   turned.values = rolled(object_ids.values, width_px, columns);
-  ObjectMap map = make_object_map(turned, reach_px);
+  ObjectMap map = make_object_map(turned, reach_px, false, objects);
   map.nearest = rolled(map.nearest, width_px, (width_px - columns) % width_px);
   for (PictureFrame& frame : map.frames)
     if (frame.width_px > 0) frame.x_px = std::fmod(frame.x_px + columns + width_px, width_px);

@@ -17,6 +17,7 @@ std::vector<std::vector<int>> most_noticeable_first(const RenderedSet& set) {
   const double towards_less = set.study.level.noticeability == Direction::decreasing ? 1 : -1;
   std::vector<std::vector<int>> by_artifact;
   std::map<Artifact, std::size_t> place;
+  const int objects = objects_of(set.study);
   const auto stimulus = [&](int index) -> const Stimulus& {
     return set.manifest.stimuli[static_cast<std::size_t>(index)].stimulus;
   };
@@ -28,9 +29,9 @@ std::vector<std::vector<int>> most_noticeable_first(const RenderedSet& set) {
   for (std::size_t a = 0; a < by_artifact.size(); ++a)
     std::stable_sort(by_artifact[a].begin(), by_artifact[a].end(), [&](int one, int other) {
       const auto rank = [&](int index) {
-        const int turn = stimulus(index).object_index + 2 * objects_per_stimulus - 1 -
-                         static_cast<int>(a % objects_per_stimulus);
-        return std::pair(towards_less * stimulus(index).level, turn % objects_per_stimulus);
+        const int turn = stimulus(index).object_index + 2 * objects - 1 -
+                         static_cast<int>(a % static_cast<std::size_t>(objects));
+        return std::pair(towards_less * stimulus(index).level, turn % objects);
       };
       return rank(one) < rank(other);
     });

@@ -79,7 +79,8 @@ std::string clip_bytes(const RenderedSet& set, const Trial& trial) {
 std::vector<ObjectMap> objects_of_frames(const RenderedSet& set, const Trial& trial) {
   ClipReader reader = click_maps_of(set, trial);
   std::vector<ObjectMap> maps;
-  for (int frame = 0; frame < reader.frames(); ++frame) maps.push_back(make_object_map(reader.decode()));
+  for (int frame = 0; frame < reader.frames(); ++frame)
+    maps.push_back(make_object_map(reader.decode(), usual_reach_px, false, objects_of(set.study)));
   return maps;
 }
 

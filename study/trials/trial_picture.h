@@ -19,11 +19,11 @@ inline constexpr int pair_gap_px = 24;
 /// Width and height of what a trial shows at a time: a picture of the set, or two of them side by side.
 [[nodiscard]] std::array<int, 2> shown_size_px(const RenderedSet& set);
 
-/// The click map of a trial's picture: 1 channel, 0 background, 1 left, 2 middle, 3 right.
+/// The click map of a trial's picture: 1 channel, 0 background, objects from 1.
 [[nodiscard]] ByteImage load_object_ids(const RenderedSet& set, const Trial& trial);
 
-/// The choice that is right: the trial's own alternative, else the object: 1 left, 2 middle, 3 right, 0 when
-/// there is none (`reference`).
+/// The choice that is right: the trial's own alternative, else the object, from 1, 0 when there is
+/// none (`reference`).
 [[nodiscard]] int right_object(const RenderedSet& set, const Trial& trial);
 
 }  // namespace seamline::study

@@ -12,7 +12,7 @@ struct VisitScript {
   std::vector<FormField> form = {};
   int instruction_pages = 0;
   std::vector<Trial> training = {};
-  std::vector<int> training_right = {};  ///< the right choice of each: 1 left, 2 middle, 3 right
+  std::vector<int> training_right = {};  ///< the right choice of each, from 1
   SessionPace pace = {};
   RightRule training_rule = {};
 };

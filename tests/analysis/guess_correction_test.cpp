@@ -23,7 +23,7 @@ using ::testing::IsEmpty;
 
 Guessers habits_of(const GuessingStudy& study) {
   Guessers guessers;
-  guessers.position = study.habits.position;
+  guessers.position.assign(study.habits.position.begin(), study.habits.position.end());
   guessers.rating = study.habits.rating;
   guessers.wrong_answers = 1;
   guessers.position_estimated = true;
@@ -126,13 +126,13 @@ TEST(GuessCorrection, EasyObjectsAreNotMistakenForPositionBias) {
 TEST(GuessCorrection, EqualsTheMomentEstimateWithinBounds) {
   Guessers guessers = habits_of({});
   guessers.position = {1.0 / 3, 1.0 / 3, 1.0 / 3};
-  Eigen::VectorXd counts = Eigen::VectorXd::Zero(counts_of_cell);
+  Eigen::VectorXd counts = Eigen::VectorXd::Zero(CellShape{}.of_cell());
   double right = 0, wrong = 0;
   for (int o = 1; o <= 3; ++o)
     for (int r = 1; r <= 4; ++r) {
-      counts[count_place(o, o, r)] = 10 + r;
+      counts[CellShape{}.place(o, o, r)] = 10 + r;
       right += r * (10 + r);
-      counts[count_place(o, o % 3 + 1, r)] = r <= 3 ? 4 : 0;
+      counts[CellShape{}.place(o, o % 3 + 1, r)] = r <= 3 ? 4 : 0;
       wrong += r <= 3 ? 4 : 0;
     }
   const SeeingCell cell = fit_seeing(counts.data(), guessers);
@@ -146,10 +146,10 @@ TEST(GuessCorrection, EachStepOfEmIncreasesTheLikelihood) {
   const NoticeabilityData data = average_answers(simulated.log, select_participants(simulated.log, false));
   const GuessTrials trials = count_guess_trials(simulated.log, data, {});
   const Eigen::VectorXd counts = trials.answers.colwise().sum().transpose();
-  const Guessers guessers = estimate_guessers(counts, Eigen::VectorXd::Zero(answers_of_trial));
+  const Guessers guessers = estimate_guessers(counts, Eigen::VectorXd::Zero(CellShape{}.of_trial()));
   for (std::size_t c = 0; c < trials.cells.size(); ++c) {
     std::vector<double> trace;
-    const SeeingCell cell = fit_seeing(counts.data() + c * counts_of_cell, guessers, 1e-8, &trace);
+    const SeeingCell cell = fit_seeing(counts.data() + c * CellShape{}.of_cell(), guessers, 1e-8, &trace);
     EXPECT_TRUE(cell.converged) << c;
     for (std::size_t i = 1; i < trace.size(); ++i) EXPECT_GE(trace[i], trace[i - 1] - 1e-9) << c << " " << i;
     EXPECT_GT(trace.back(), trace.front() - 1e-9);
@@ -165,13 +165,13 @@ TEST(GuessCorrection, FindsTheMaximum) {
   const Guessers guessers = habits_of({});
   Random random(5);
   for (std::size_t c = 0; c < trials.cells.size(); ++c) {
-    const double* of_cell = counts.data() + c * counts_of_cell;
+    const double* of_cell = counts.data() + c * CellShape{}.of_cell();
     const SeeingCell cell = fit_seeing(of_cell, guessers);
     for (int tried = 0; tried < 200; ++tried) {
       double s = random.uniform(), total = 0, log_likelihood = 0;
       std::array<double, 4> q{};
       for (double& part : q) total += part = -std::log(1 - random.uniform());
-      for (int place = 0; place < counts_of_cell; ++place) {
+      for (int place = 0; place < CellShape{}.of_cell(); ++place) {
         const auto o = static_cast<std::size_t>(place / 12),
                    chosen = static_cast<std::size_t>(place % 12 / 4), r = static_cast<std::size_t>(place % 4);
         const double guess = (1 - s) * guessers.position[chosen] * guessers.rating[r];

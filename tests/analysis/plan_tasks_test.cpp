@@ -19,6 +19,7 @@ struct TaskPlan {
   std::string chance;      ///< as the plan says it
   bool rated = false;      ///< PT and SN are wanted, else detection
   int trials_a_level = 3;  ///< of a participant
+  int objects = 3;
 };
 const std::vector<TaskPlan> task_plans = {
     {"object", "[task]\nkind = \"object\"\nsecond_question = false\nrepetitions = 4\n", "Chance is 1/3.",
@@ -29,16 +30,21 @@ const std::vector<TaskPlan> task_plans = {
     {"yes_no", "[catch]\nreference = 20\n[task]\nkind = \"yes_no\"\nrepetitions = 4\n",
      "Chance is the share of false alarms, 10 %, taken from 20 reference trials of each person.", false, 12},
     {"rating", "[catch]\nreference = 20\n[task]\nkind = \"rating\"\n",
-     "Chance is the share of false alarms, 0 %, taken from 20 reference trials of each person.", true, 3}};
+     "Chance is the share of false alarms, 0 %, taken from 20 reference trials of each person.", true, 3},
+    {"2 objects", "[task]\nkind = \"object\"\nobjects = 2\nsecond_question = false\nrepetitions = 6\n",
+     "Chance is 1/2.", false, 12, 2},
+    {"5 objects", "[task]\nkind = \"object\"\nobjects = 5\n", "Chance is 1/5.", true, 5, 5}};
+
+constexpr const char* planned_widths = "depth_width_px = [64, 128, 256, 512, 1024, 2048]\n";
 
 class PlanTasks : public testing::Test {
  protected:
-  PlanRequest request(const std::string& tables,
-                      const std::string& head = "depth_width_px = [64, 128, 256, 512, 1024, 2048]\n") {
+  PlanRequest request(const std::string& tables, const std::string& head = planned_widths, int objects = 3) {
     std::string text = "format = \"seamline study 1\"\nname = \"plan\"\n" + head +
                        "[[scene]]\nname = \"room\"\nfile = \"none.glb\"\nartifacts = [\"receiver\"]\n";
-    for (const char* object : {"left", "middle", "right"})
-      text += std::string("[[scene.object]]\nname = \"") + object + "\"\nfile = \"none.glb\"\n";
+    for (int object = 0; object < objects; ++object)
+      text += std::string("[[scene.object]]\nname = \"") + static_cast<char>('a' + object) +
+              "\"\nfile = \"none.glb\"\n";
     write_file_atomically(folder_ / "study.toml", text + tables);
     PlanRequest request;
     request.study_file = folder_ / "study.toml";
@@ -58,7 +64,7 @@ class PlanTasks : public testing::Test {
 /// more people and hold the truth, whatever is asked.
 TEST_F(PlanTasks, EveryTaskHasItsChanceItsQuantityAndLittleBias) {
   for (const TaskPlan& task : task_plans) {
-    const StudyPlan plan = plan_study(request(task.tables));
+    const StudyPlan plan = plan_study(request(task.tables, planned_widths, task.objects));
     ASSERT_EQ(plan.targets.size(), task.rated ? 2U : 1U) << task.name;
     EXPECT_EQ(plan.trials_a_level, task.trials_a_level) << task.name;
     if (!task.rated) {

@@ -21,6 +21,7 @@ struct CoveredTask {
   const char* name;
   const char* tables;
   int people;
+  int objects = 3;
 };
 const std::vector<CoveredTask> covered_tasks = {
     {"object, no rating", "[task]\nkind = \"object\"\nsecond_question = false\nrepetitions = 2\n", 20},
@@ -30,7 +31,13 @@ const std::vector<CoveredTask> covered_tasks = {
     {"interval of 3", "[task]\nkind = \"interval\"\npictures = 3\nrepetitions = 2\n", 20},
     {"yes or no", "[catch]\nreference = 21\n[task]\nkind = \"yes_no\"\nrepetitions = 2\n", 20},
     {"rating", "[catch]\nreference = 21\n[task]\nkind = \"rating\"\n", 20},
-    {"pair, 2 people", "[task]\nkind = \"pair\"\nrepetitions = 20\n", 2}};
+    {"pair, 2 people", "[task]\nkind = \"pair\"\nrepetitions = 20\n", 2},
+    {"2 objects, no rating",
+     "[task]\nkind = \"object\"\nobjects = 2\nsecond_question = false\nrepetitions = 3\n", 20, 2},
+    {"2 objects, rated", "[task]\nkind = \"object\"\nobjects = 2\n", 20, 2},
+    {"5 objects, no rating", "[task]\nkind = \"object\"\nobjects = 5\nsecond_question = false\n", 20, 5},
+    {"5 objects, rated", "[task]\nkind = \"object\"\nobjects = 5\n", 20, 5},
+    {"8 objects, no rating", "[task]\nkind = \"object\"\nobjects = 8\nsecond_question = false\n", 20, 8}};
 
 struct TaskTally {
   int curves = 0, numbers = 0, held = 0;
@@ -61,7 +68,7 @@ TEST(TaskCoverage, IntervalsOfDetectionHoldWhatWasPlanted) {
     for (int seed = 1; seed <= studies; ++seed) {
       const TemporaryFolder folder;
       const study::RenderedSet set = study::write_set_of_text(
-          folder / "set", study::study_text("covered", study::paper_widths_px) + task.tables);
+          folder / "set", study::study_text("covered", study::paper_widths_px, task.objects) + task.tables);
       study::run_simulated_study({.set_folder = folder / "set",
                                   .log = folder / "log",
                                   .observer = study::ObserverKind::threshold,

@@ -69,15 +69,15 @@ inline GuessTrials guess_trials_of(const TrueStudy& study) {
       trials.cells.push_back({.artifact = artifact, .condition = "", .level = static_cast<double>(width_px)});
   const auto people = static_cast<Eigen::Index>(study.people.size());
   trials.answers =
-      Eigen::MatrixXd::Zero(people, static_cast<Eigen::Index>(trials.cells.size()) * counts_of_cell);
-  trials.references = Eigen::MatrixXd::Zero(people, answers_of_trial);
+      Eigen::MatrixXd::Zero(people, static_cast<Eigen::Index>(trials.cells.size()) * CellShape{}.of_cell());
+  trials.references = Eigen::MatrixXd::Zero(people, CellShape{}.of_trial());
   for (Eigen::Index p = 0; p < people; ++p) {
     trials.people.push_back("p" + std::to_string(p));
     for (const TrueTrial& trial : study.people[static_cast<std::size_t>(p)]) {
       const std::size_t cell = static_cast<std::size_t>(trial.curve) * study.width_px.size() +
                                static_cast<std::size_t>(trial.level);
-      trials.answers(p, static_cast<Eigen::Index>(cell) * counts_of_cell +
-                            count_place(trial.object + 1, trial.chosen + 1, trial.rating)) += 1;
+      trials.answers(p, static_cast<Eigen::Index>(cell) * CellShape{}.of_cell() +
+                            CellShape{}.place(trial.object + 1, trial.chosen + 1, trial.rating)) += 1;
     }
   }
   return trials;

@@ -21,15 +21,21 @@ struct TaskSitting {
   const char* more;
   int alternatives;  ///< 0: a rating alone
   int trials;
+  int objects = 3;
 };
 
 void PrintTo(const TaskSitting& sitting, std::ostream* out) {
-  *out << sitting.kind;
+  *out << sitting.kind << sitting.objects;
 }
 
 struct TaskPress {
   int chosen = 0, rating = 0;
 };
+
+/// The kind, and the number of objects where it is another than three.
+std::string name_of(const TaskSitting& sitting) {
+  return sitting.kind + (sitting.objects == 3 ? std::string() : std::to_string(sitting.objects));
+}
 
 class TaskWindow : public testing::TestWithParam<TaskSitting> {};
 
@@ -65,11 +71,12 @@ std::map<int, TaskPress> sit_through(test::WindowDriver& window, const test::XSe
 TEST_P(TaskWindow, TheLogHoldsWhatWasPressed) {
   if (const std::string missing = test::what_is_missing(); !missing.empty()) GTEST_SKIP() << missing;
   const TaskSitting& sitting = GetParam();
-  const fs::path folder = fs::path(SEAMLINE_TEST_OUTPUT) / "app" / "task" / sitting.kind;
+  const fs::path folder = fs::path(SEAMLINE_TEST_OUTPUT) / "app" / "task" / name_of(sitting);
   fs::remove_all(folder);
   (void)test::write_picture_set(
       folder / "set",
-      {.session = "inter_trial_s = 0.05\n",
+      {.objects = sitting.objects,
+       .session = "inter_trial_s = 0.05\n",
        .top = "participant_form = false",
        .more = fmt::format("[task]\nkind = \"{}\"\n{}[consent]\ntext = \"Discs.\"\n[training]\ntrials = 0\n"
                            "[[instructions.page]]\ntext = \"Press a digit.\"\n",
@@ -82,7 +89,7 @@ TEST_P(TaskWindow, TheLogHoldsWhatWasPressed) {
   EXPECT_EQ(static_cast<int>(pressed.size()), sitting.trials);
   window.kill();
   const LogContents log = read_log(folder / "log.sqlite");
-  EXPECT_EQ(log.answers.size(), 6U);  // three discs at two widths
+  EXPECT_EQ(log.answers.size(), 2U * static_cast<std::size_t>(sitting.objects));  // at two widths
   for (const Answer& answer : log.answers) {
     const TaskPress& press = pressed.at(answer.trial_index);
     if (sitting.alternatives > 0) {
@@ -160,8 +167,10 @@ INSTANTIATE_TEST_SUITE_P(, TaskWindow,
                          testing::Values(TaskSitting{"pair", "", 2, 6},
                                          TaskSitting{"interval", "exposure_s = 0.2\ngap_s = 0.1\n", 2, 6},
                                          TaskSitting{"yes_no", with_references, 2, 8},
-                                         TaskSitting{"rating", with_references, 0, 8}),
-                         [](const auto& info) { return std::string(info.param.kind); });
+                                         TaskSitting{"rating", with_references, 0, 8},
+                                         TaskSitting{"object", "objects = 2\n", 2, 4, 2},
+                                         TaskSitting{"object", "objects = 5\n", 5, 10, 5}),
+                         [](const auto& sitting) { return name_of(sitting.param); });
 
 }  // namespace
 }  // namespace seamline::study::app

@@ -1,4 +1,4 @@
-// Pairs, intervals, yes or no, ratings, matches and a staircase in a real browser: one sitting each, by keys, at `serve`. Sets of
+// Two and five objects, pairs, intervals, yes or no, ratings, matches and a staircase in a real browser: one sitting each, by keys (of objects by the mouse, too), at `serve`. Sets of
 // these tasks lie in WORK/KIND-set. What the page sent must be what the log holds. Screenshots go to WORK/shots.
 import assert from "node:assert/strict";
 import { execFileSync, spawn } from "node:child_process";
@@ -32,11 +32,13 @@ async function served(page, set, log) {
   return { address, stop: () => new Promise((resolve) => (server.on("exit", resolve), server.kill("SIGTERM"))) };
 }
 
-const ALTERNATIVES = { pair: 2, interval: 2, yes_no: 2, rating: 0 };
+const ALTERNATIVES = { object2: 2, object5: 5, "object5 by mouse": 5, pair: 2, interval: 2, yes_no: 2, rating: 0 };
 
 for (const [kind, alternatives] of Object.entries(ALTERNATIVES)) {
-  const folder = mkdtempSync(join(work, kind + "-"));
-  const set = join(work, kind + "-set");
+  const folder = mkdtempSync(join(work, kind.replaceAll(" ", "-") + "-"));
+  const byMouse = kind.endsWith(" by mouse");
+  const isObject = kind.startsWith("object");
+  const set = join(work, kind.split(" ")[0] + "-set");
   const pageFolder = join(folder, "page");
   const log = join(folder, "log.sqlite");
   execFileSync(program, ["export", "web", set, pageFolder, "--serve"]);
@@ -50,10 +52,11 @@ for (const [kind, alternatives] of Object.entries(ALTERNATIVES)) {
     await page.goto(server.address);
     await actUntil(page, ["thanks"], {
       patience_ms: 120000,
+      mouse: byMouse,
       answer: (seen) => {
         const at = seen.answered;
         const choice = alternatives > 0 ? 1 + ((at * 7 + 3) % alternatives) : 0;
-        const rating = 1 + ((at * 3 + 2) % 5);
+        const rating = 1 + ((at * 3 + 2) % (isObject ? 4 : 5));
         if (seen.screen === "trial") given.set(at, { choice, rating: rating - 1 });
         return { choice, rating };
       },
@@ -61,7 +64,12 @@ for (const [kind, alternatives] of Object.entries(ALTERNATIVES)) {
         if (looked || seen.screen !== "trial" || !seen.asks) return;
         looked = true;
         await page.waitForTimeout(200);
-        writeFileSync(shotOf(kind), await page.screenshot());
+        writeFileSync(shotOf(kind.replaceAll(" ", "-")), await page.screenshot());
+        if (isObject) {
+          const names = await page.$$eval("button.object", (buttons) => buttons.map((button) => button.getAttribute("aria-label")));
+          assert.equal(names.length, alternatives, kind);
+          assert.equal(names[1], alternatives === 2 ? "2 on the right" : "2 second from the left", kind);
+        }
         await page.evaluate(axeSource);
         const { violations } = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ["violations"] }));
         assert.deepEqual(violations.map(({ id }) => id), [], kind);
@@ -79,6 +87,7 @@ for (const [kind, alternatives] of Object.entries(ALTERNATIVES)) {
     const column = (name) => head.indexOf(name);
     for (const row of rows) {
       const wanted = given.get(Number(row[column("trial_index")]));
+      if (isObject) assert.equal(Number(row[column("rating")]), wanted.rating + 1, kind);
       if (alternatives > 0) assert.equal(Number(row[column("chosen_index")]), wanted.choice, kind);
       else {
         // The lowest label is "nothing seen", choice 2; the others are ratings of something seen.

@@ -44,7 +44,8 @@ inline std::shared_ptr<const SurfaceMesh> floor(float height, float half_size, f
 /// A scene with a camera at the origin that looks along -Z, and up to three objects.
 struct SceneParts {
   std::vector<std::shared_ptr<const SurfaceMesh>> background;
-  std::array<std::vector<std::shared_ptr<const SurfaceMesh>>, 3> objects;
+  std::vector<std::vector<std::shared_ptr<const SurfaceMesh>>> objects =
+      std::vector<std::vector<std::shared_ptr<const SurfaceMesh>>>(3);
 };
 
 inline TruthScene scene_of(SceneParts parts, Light light, int width_px = 64, int height_px = 36) {

@@ -2,12 +2,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fmt/core.h>
 #include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "stimuli/definition/parts/staircase_definition.h"
 #include "stimuli/definition/parts/task_definition.h"
+#include "stimuli/definition/stimulus.h"
 #include "stimuli/study_file/parts/study_file_task.h"
 #include "stimuli/study_file/study_file.h"
 #include "support/text/error.h"
@@ -66,6 +69,63 @@ TEST(StudyFileTask, EveryKeyIsPartOfTheHash) {
   for (const std::string& staircase : stairs)
     hashes.insert(study_hash(study_with_task(staircase, "procedure = \"staircase\"")));
   EXPECT_EQ(hashes.size(), tasks.size() + stairs.size());
+}
+
+StudyDefinition study_of_objects(int objects, const std::string& task) {
+  return read_study_text(test::study_of_no_files("", task, objects), "study.toml");
+}
+
+TEST(StudyFileTask, AmongSoManyObjectsOneIsChosen) {
+  for (const auto& [objects, question, hint, last] :
+       std::vector<std::tuple<int, std::string, std::string, std::string>>{
+           {2, "Which of the two objects", "press 1 or 2", "on the right"},
+           {5, "Which of the five objects", "press 1 to 5", "fifth from the left"},
+           {8, "Which of the eight objects", "press 1 to 8", "eighth from the left"}}) {
+    const StudyDefinition study =
+        study_of_objects(objects, fmt::format("[task]\nkind = \"object\"\nobjects = {}\n", objects));
+    const TaskFacts facts = facts_of(study.task.get());
+    EXPECT_EQ(facts.alternatives, objects);
+    EXPECT_EQ(objects_of(study), objects);
+    EXPECT_EQ(facts.chance, 1.0 / objects);
+    EXPECT_TRUE(facts.rates && facts.chooses && !facts.draws_right && !facts.is_papers());
+    EXPECT_THAT(study.session.question, HasSubstr(question));
+    EXPECT_THAT(phrase_text(study.texts, Phrase::choice_hint), HasSubstr(hint));
+    ASSERT_EQ(study.task->answers.size(), static_cast<std::size_t>(objects));
+    EXPECT_EQ(study.task->answers.back(), last);
+    EXPECT_EQ(list_stimuli(study).size(), static_cast<std::size_t>(2 * objects));
+    const std::string named =
+        fmt::format("[task]\nkind = \"object\"\nobjects = {}\nrepetitions = 1\n", objects);
+    EXPECT_EQ(study_hash(study), study_hash(study_of_objects(objects, named)));
+  }
+  // Three are the usual ones, said or not.
+  const StudyDefinition three = study_of_objects(3, "[task]\nkind = \"object\"\nobjects = 3\n");
+  EXPECT_TRUE(three.task->answers.empty() && facts_of(three.task.get()).is_papers());
+  EXPECT_EQ(study_hash(three), study_hash(study_of_objects(3, "[task]\nkind = \"object\"\n")));
+  EXPECT_EQ(three.session.question, SessionDefinition{}.question);
+  EXPECT_EQ(
+      study_of_objects(4, "[task]\nkind = \"object\"\nobjects = 4\nanswers = [\"a\", \"b\", \"c\", \"d\"]\n")
+          .task->answers[2],
+      "c");
+}
+
+TEST(StudyFileTask, OtherTasksMayHaveOneObjectAScene) {
+  const StudyDefinition pair = study_of_objects(1, "[task]\nkind = \"pair\"\nobjects = 1\n");
+  EXPECT_EQ(facts_of(pair.task.get()).alternatives, 2);
+  EXPECT_EQ(objects_of(pair), 1);
+  EXPECT_EQ(list_stimuli(pair).size(), 2U);
+}
+
+TEST(StudyFileTask, RefusesOtherNumbersOfObjects) {
+  const auto complaint = [](int objects, const std::string& task) {
+    return test::complaint_of([&] { (void)study_of_objects(objects, task); });
+  };
+  EXPECT_THAT(complaint(2, ""), HasSubstr("wanted three objects: left, middle, right, found 2"));
+  EXPECT_THAT(complaint(3, "[task]\nkind = \"object\"\nobjects = 5\n"),
+              HasSubstr("wanted 5, as [task] says (objects), from left to right, found 3"));
+  EXPECT_THAT(complaint(1, "[task]\nkind = \"object\"\nobjects = 1\n"), HasSubstr("task.objects"));
+  EXPECT_THAT(complaint(9, "[task]\nkind = \"object\"\nobjects = 9\n"), HasSubstr("task.objects"));
+  EXPECT_THAT(complaint(2, "[task]\nkind = \"object\"\nobjects = 2\nanswers = [\"a\"]\n"),
+              HasSubstr("task.answers"));
 }
 
 TEST(StudyFileTask, TheTextOfAStudySaysItsTaskAlone) {

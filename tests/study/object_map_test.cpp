@@ -28,6 +28,18 @@ TEST(ObjectMap, AClickCountsForTheObjectAndALittleAroundIt) {
       }
 }
 
+TEST(ObjectMap, EveryOneOfEightObjectsHasItsFrameAndItsClicks) {
+  for (const int objects : {1, 2, 5, 8}) {
+    const ObjectMap map = make_object_map(test::disc_ids(800, 200, objects), usual_reach_px, false, objects);
+    ASSERT_EQ(map.frames.size(), static_cast<std::size_t>(objects));
+    for (int object = 1; object <= objects; ++object) {
+      const PictureFrame& frame = map.frames[static_cast<std::size_t>(object - 1)];
+      EXPECT_NEAR(frame.x_px + frame.width_px / 2, 800.0 * object / (objects + 1), 1);
+      EXPECT_EQ(object_at(map, 800.0 * object / (objects + 1), 100), object);
+    }
+  }
+}
+
 TEST(ObjectMap, FramesHaveOneSizeAndTheMiddlesOfTheirObjects) {
   ByteImage ids{width_px, height_px, 1, std::vector<std::uint8_t>(width_px * height_px, 0)};
   const auto fill = [&](int object, int x0, int y0, int width, int height) {

@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <map>
+#include <utility>
+#include <vector>
 
 #include "study/log/log.h"
 #include "study/placement/placed_answer.h"
@@ -13,8 +15,8 @@
 namespace seamline::study {
 namespace {
 
-std::string adaptive_task_text(const std::string& task) {
-  std::string text = study_text("tiny", paper_widths_px);
+std::string adaptive_task_text(const std::string& task, int objects = 3) {
+  std::string text = study_text("tiny", paper_widths_px, objects);
   text.insert(text.find("seed ="), "procedure = \"quest_plus\"\n");
   text.insert(text.find("[session]"), "[quest_plus]\nmax_shows_per_image = 40\nmax_trials = 60\n");
   return text + "[observer]\npeople_sd_octaves = 0\n" + task;
@@ -30,10 +32,14 @@ TEST(TaskQuestPlus, APlacedAnswerIsRightExactlyWhereTheAnswerIs) {
 }
 
 TEST(TaskQuestPlus, FindsWhatWasPlantedWhateverTheTask) {
-  for (const char* task : {"[task]\nkind = \"pair\"\n", "[task]\nkind = \"interval\"\npictures = 3\n",
-                           "[catch]\nreference = 20\n[task]\nkind = \"yes_no\"\n"}) {
+  for (const auto& [task, objects] :
+       std::vector<std::pair<const char*, int>>{{"[task]\nkind = \"pair\"\n", 3},
+                                                {"[task]\nkind = \"interval\"\npictures = 3\n", 3},
+                                                {"[catch]\nreference = 20\n[task]\nkind = \"yes_no\"\n", 3},
+                                                {"[task]\nkind = \"object\"\nobjects = 2\n", 2},
+                                                {"[task]\nkind = \"object\"\nobjects = 5\n", 5}}) {
     const TemporaryFolder folder;
-    const RenderedSet set = write_set_of_text(folder / "set", adaptive_task_text(task));
+    const RenderedSet set = write_set_of_text(folder / "set", adaptive_task_text(task, objects));
     run_simulated_study({.set_folder = folder / "set",
                          .log = folder / "log",
                          .observer = ObserverKind::threshold,

@@ -19,6 +19,7 @@ namespace {
 struct TaskCase {
   const char* text;
   double chance;  ///< of who sees nothing
+  int objects = 3;
 };
 const std::vector<TaskCase> task_cases = {
     {"[task]\nkind = \"pair\"\n", 1.0 / 2},
@@ -26,16 +27,20 @@ const std::vector<TaskCase> task_cases = {
     {"[task]\nkind = \"interval\"\nsecond_question = true\n", 1.0 / 2},
     {"[task]\nkind = \"yes_no\"\n[catch]\nreference = 8\n", simulated_false_alarms},
     {"[task]\nkind = \"rating\"\n[catch]\nreference = 8\n", 0},
-    {"[task]\nkind = \"object\"\nrepetitions = 2\n", 1.0 / 3}};
+    {"[task]\nkind = \"object\"\nrepetitions = 2\n", 1.0 / 3},
+    {"[task]\nkind = \"object\"\nobjects = 2\n", 1.0 / 2, 2},
+    {"[task]\nkind = \"object\"\nobjects = 5\n", 1.0 / 5, 5},
+    {"[task]\nkind = \"object\"\nobjects = 8\nsecond_question = false\n", 1.0 / 8, 8},
+    {"[task]\nkind = \"pair\"\nobjects = 1\nrepetitions = 3\n", 1.0 / 2, 1}};
 
 class TaskStudyTest : public testing::Test {
  protected:
   TemporaryFolder folder;
 
-  LogContents simulate(const std::string& text, ObserverKind observer, int count, int from = 1) {
+  LogContents simulate(const std::string& text, ObserverKind observer, int count, int objects = 3) {
     const std::string name = fmt::format("log-{}", made_++);
-    (void)write_set_of_text(folder / (name + "-set"), study_text("tiny", "64, 512") + text);
-    for (const int people : {from, count})
+    (void)write_set_of_text(folder / (name + "-set"), study_text("tiny", "64, 512", objects) + text);
+    for (const int people : {1, count})
       run_simulated_study({.set_folder = folder / (name + "-set"),
                            .log = folder / name,
                            .observer = observer,
@@ -52,9 +57,9 @@ class TaskStudyTest : public testing::Test {
 
 TEST_F(TaskStudyTest, WhoSeesEverythingIsAlwaysRightAndWhoSeesNothingIsRightByChance) {
   for (const TaskCase& task : task_cases) {
-    for (const Answer& answer : simulate(task.text, ObserverKind::perfect, 3).answers)
+    for (const Answer& answer : simulate(task.text, ObserverKind::perfect, 3, task.objects).answers)
       ASSERT_TRUE(answer.correct()) << task.text;
-    const LogContents guesses = simulate(task.text, ObserverKind::guesser, 40);
+    const LogContents guesses = simulate(task.text, ObserverKind::guesser, 40, task.objects);
     double right = 0;
     for (const Answer& answer : guesses.answers) right += answer.correct() ? 1 : 0;
     const auto n = static_cast<double>(guesses.answers.size());
@@ -102,6 +107,30 @@ TEST_F(TaskStudyTest, TheLogSaysWhatWasRightAndItsVersionOnlyThen) {
   EXPECT_EQ(right.size(), 2U);
   EXPECT_EQ(simulate("", ObserverKind::threshold, 2).task, nullptr);
   EXPECT_EQ(version(), log_schema_version);
+}
+
+TEST_F(TaskStudyTest, ALogOfManyObjectsIsOfAVersionOfItsOwn) {
+  const auto version = [&](const std::filesystem::path& log) {
+    return SQLite::Database(log.string()).execAndGet("PRAGMA user_version").getInt();
+  };
+  (void)simulate("[task]\nkind = \"object\"\nobjects = 2\n", ObserverKind::guesser, 2, 2);
+  EXPECT_EQ(version(last_log), log_schema_version_with(false, false, true));
+  const LogContents before =
+      simulate("[task]\nkind = \"object\"\nobjects = 5\n", ObserverKind::guesser, 6, 5);
+  EXPECT_EQ(version(last_log), log_schema_version_with(false, false, true, true));
+  std::map<int, int> chosen, right;
+  for (const Answer& answer : before.answers) {
+    ++chosen[answer.chosen_index];
+    ++right[answer.right()];
+  }
+  EXPECT_EQ(chosen.size(), 5U);
+  EXPECT_EQ(right.size(), 5U);
+  (void)recover_log(last_log, folder / "saved", {});
+  EXPECT_EQ(version(folder / "saved"), version(last_log));
+  const LogContents after = read_log(folder / "saved");
+  ASSERT_EQ(after.answers.size(), before.answers.size());
+  for (std::size_t i = 0; i < before.answers.size(); ++i)
+    ASSERT_EQ(after.answers[i].chosen_index, before.answers[i].chosen_index);
 }
 
 TEST_F(TaskStudyTest, ADamagedLogKeepsWhatWasRight) {

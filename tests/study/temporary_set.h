@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "stimuli/definition/stimulus.h"
 #include "stimuli/set/manifest.h"
@@ -13,7 +14,8 @@
 
 namespace seamline::study {
 
-inline std::string study_text(const std::string& name, const std::string& widths_px) {
+/// `objects`: of each scene, at most eight.
+inline std::string study_text(const std::string& name, const std::string& widths_px, int objects = 3) {
   std::string text = fmt::format(
       "format = \"seamline study 1\"\nname = \"{}\"\nseed = 7\ndepth_width_px = [{}]\n"
       "[session]\nbreak_every_trials = 5\n",
@@ -21,8 +23,11 @@ inline std::string study_text(const std::string& name, const std::string& widths
   const auto scene = [&](const char* scene_name, const char* artifacts) {
     text += fmt::format("[[scene]]\nname = \"{}\"\nfile = \"none.glb\"\nartifacts = [{}]\n", scene_name,
                         artifacts);
-    for (const char* object : {"left", "middle", "right"})
-      text += fmt::format("[[scene.object]]\nname = \"{}\"\nfile = \"none.glb\"\n", object);
+    const std::vector<const char*> names = {"left",  "middle", "right",   "fourth",
+                                            "fifth", "sixth",  "seventh", "eighth"};
+    for (int object = 0; object < objects; ++object)
+      text += fmt::format("[[scene.object]]\nname = \"{}\"\nfile = \"none.glb\"\n",
+                          names.at(static_cast<std::size_t>(object)));
   };
   scene("bedroom", "\"receiver\"");
   scene("gazebo", "\"shadow\", \"overlap\"");

@@ -24,8 +24,9 @@ ObjectKey key_of(const study::Answer& answer) {
 /// The shortest of "name", "scene name", "scene name (place)" that no other object of the artifact has.
 std::string object_name(const ObjectKey& key, const std::set<ObjectKey>& all) {
   const auto& [scene, place, name] = key;
-  int same_name = 0, same_scene_and_name = 0;
+  int same_name = 0, same_scene_and_name = 0, objects = 0;
   for (const auto& [other_scene, other_place, other_name] : all) {
+    objects = std::max(objects, other_place);
     same_name += other_name == name ? 1 : 0;
     same_scene_and_name += other_name == name && other_scene == scene ? 1 : 0;
   }
@@ -33,10 +34,10 @@ std::string object_name(const ObjectKey& key, const std::set<ObjectKey>& all) {
   const std::string scene_and_name = same_scene_and_name == same_name ? name : scene + " " + name;
   if (same_scene_and_name == 1) return scene_and_name;
   constexpr std::array<std::string_view, study::objects_per_stimulus> places = {"left", "middle", "right"};
-  const bool known = place >= 1 && place <= study::objects_per_stimulus;
-  return fmt::format(
-      "{} ({})", scene_and_name,
-      known ? std::string(places[static_cast<std::size_t>(place - 1)]) : std::to_string(place));
+  const bool known = place >= 1 && objects == study::objects_per_stimulus;
+  return fmt::format("{} ({})", scene_and_name,
+                     known ? std::string(places[static_cast<std::size_t>(place - 1)])
+                           : std::to_string(place) + " from the left");
 }
 
 /// The middle of the axis.

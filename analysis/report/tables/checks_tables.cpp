@@ -113,9 +113,9 @@ CsvTable guessers_table(const Analysis& analysis) {
                  .rows = {}};
   const Guessers& guessers = analysis.guessing.guessers;
   if (!guessers.known()) return table;
-  for (int position = 1; position <= study::objects_per_stimulus; ++position)
-    table.rows.push_back({fmt::format("chooses position {}", position),
-                          guessers.position[static_cast<std::size_t>(position - 1)], source_text(analysis)});
+  for (std::size_t position = 0; position < guessers.position.size(); ++position)
+    table.rows.push_back({fmt::format("chooses position {}", position + 1), guessers.position[position],
+                          source_text(analysis)});
   for (int rating = 1; rating <= study::highest_rating; ++rating)
     table.rows.push_back({fmt::format("rates {}", rating),
                           guessers.rating[static_cast<std::size_t>(rating - 1)], source_text(analysis)});
@@ -234,7 +234,7 @@ CsvTable opinion_scores_table(const Analysis& analysis) {
                              level_column(axis),
                              {"scene", "text", "name of the scene in the study file"},
                              {"object", "text", "name of the inserted object"},
-                             {"object_index", "1 to 3", "its place: 1 left, 2 middle, 3 right"},
+                             index_column,
                              {"n", "participants", "participants with a score"},
                              {"mos", "noticeability 0 to 4", "mean opinion score"},
                              {"sd", "noticeability", "standard deviation over participants (n - 1)"},

@@ -84,7 +84,8 @@ void add_means(std::vector<Field>& fields, const LevelNames& names, const std::s
 void add_object(std::vector<Field>& fields, const std::string& prefix) {
   fields.push_back({prefix + "scene", "text", "name of the scene in the study file"});
   fields.push_back({prefix + "object", "text", "name of the inserted object"});
-  fields.push_back({prefix + "object_index", "1 to 3", "its place: 1 left, 2 middle, 3 right"});
+  fields.push_back(
+      {prefix + "object_index", "from 1", "its place from the left: of three, 1 left, 2 middle, 3 right"});
 }
 
 void add_curves(std::vector<Field>& fields, const LevelNames& names, const std::string& artifact) {

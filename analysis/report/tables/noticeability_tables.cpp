@@ -150,7 +150,7 @@ CsvTable answers_table(const Analysis& analysis) {
                              object_column,
                              index_column,
                              level_column(analysis.data.axis),
-                             {"chosen_index", "1 to 3", "the object that was chosen"},
+                             {"chosen_index", "from 1", "the object that was chosen"},
                              {"rating", "1 to 4", "asked on every trial"},
                              {"correct", "0 or 1", "whether the inserted object was chosen"},
                              {"noticeability", "0 to 4", "0 when the choice is wrong, else the rating"},

@@ -18,7 +18,8 @@ inline const CsvColumn quantity_column{
     "quantity", "word", "PT perceptual threshold, SN slightly noticeable, IP inflection point"};
 inline const CsvColumn scene_column{"scene", "text", "name of the scene in the study file"};
 inline const CsvColumn object_column{"object", "text", "name of the inserted object"};
-inline const CsvColumn index_column{"object_index", "1 to 3", "its place: 1 left, 2 middle, 3 right"};
+inline const CsvColumn index_column{"object_index", "from 1",
+                                    "its place from the left: of three, 1 left, 2 middle, 3 right"};
 [[nodiscard]] inline CsvColumn level_column(const LevelAxis& axis) {
   if (of_depth_widths(axis)) return {"width_px", "px", "width W of the depth map; its height is W / 2"};
   const QuantityFacts& about = facts(axis.quantity);

@@ -90,6 +90,12 @@ std::string guesses_text(const Guessers& guessers) {
     return fmt::format("People see something in {} % of the pictures into which nothing was inserted",
                        percent(0));
   const bool in_a_row = guessers.task.pictures > 1;
+  if (guessers.task.alternatives > usual_objects) {
+    std::string shares;
+    for (std::size_t place = 0; place < guessers.position.size(); ++place)
+      shares += (place == 0 ? "" : place + 1 == guessers.position.size() ? " and " : ", ") + percent(place);
+    return fmt::format("Guessers choose the objects from left to right in {} %{}", shares, assumed);
+  }
   if (guessers.task.alternatives == 2)
     return fmt::format("Guessers choose {} in {} and {} %{}",
                        in_a_row ? "first and second" : "left and right", percent(0), percent(1), assumed);

@@ -16,9 +16,9 @@ namespace {
 
 /// The errors of the reference as the stimuli of each object filter it.
 struct PhotographJudgement {
-  std::array<ErrorEstimate, 3> errors = {};  ///< [object - 1]; empty: not judged yet
-  std::size_t strength = 0;                  ///< with the least estimated error, in the choices' filters
-  int not_good_enough = 0;                   ///< an object; 0: none, or there is no target
+  std::vector<ErrorEstimate> errors = {};  ///< [object - 1]; empty: not judged yet
+  std::size_t strength = 0;                ///< with the least estimated error, in the choices' filters
+  int not_good_enough = 0;                 ///< an object; 0: none, or there is no target
 
   [[nodiscard]] ErrorEstimate& error(int object) { return errors[static_cast<std::size_t>(object - 1)]; }
   [[nodiscard]] const ErrorEstimate& error(int object) const {
@@ -37,7 +37,8 @@ class FastEstimator : public SceneEstimator {
         seen_(find_seen_emission(scene_, threads_)),
         keeps_error_maps_(options.keeps_error_maps),
         scene_geometry_(std::make_unique<const SceneGeometry>(scene_)),
-        sums_(empty_sums(scene.camera)) {
+        sums_(empty_sums(scene.camera, scene.objects.size())) {
+    judged_.errors.resize(scene.objects.size());
     judged_.strength = choices_.filters.size() - 1;
   }
 
@@ -107,7 +108,7 @@ class FastEstimator : public SceneEstimator {
   }
 
   [[nodiscard]] bool read_truth(int, ByteReader& in) override {
-    PhotographJudgement judged;
+    PhotographJudgement judged{.errors = std::vector<ErrorEstimate>(scene_.objects.size())};
     std::uint64_t strength = 0;
     in.get(strength);
     for (ErrorEstimate& error : judged.errors) {
@@ -115,7 +116,7 @@ class FastEstimator : public SceneEstimator {
       in.get_all(error.tiles, static_cast<std::size_t>(sums_.grid.count()));
       in.get_all(error.blocks, static_cast<std::size_t>(sums_.blocks().count()));
     }
-    SceneSums sums = empty_sums(scene_.camera);
+    SceneSums sums = empty_sums(scene_.camera, scene_.objects.size());
     if (!read_sums(in, sums) || strength >= choices_.filters.size()) return false;
     judged.strength = static_cast<std::size_t>(strength);
     judged_ = std::move(judged);
@@ -204,7 +205,8 @@ class FastEstimator : public SceneEstimator {
       part *= 0.5;
       add_samples(scene_, *scene_geometry_, wanted, options, sums_);
     }
-    for (int k = 1; k <= 3; ++k)  // those never looked at, because the first object never was good enough
+    for (const int k :
+         scene_.object_indices())  // those never looked at, because the first object never was good enough
       if (judged_.error(k).tiles.empty())
         judged_.error(k) = error_with(k, judged_.strength, photograph(k, no_filter));
     scene_geometry_.reset();

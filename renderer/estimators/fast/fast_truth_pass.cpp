@@ -19,7 +19,12 @@ class TileSampler {
  public:
   TileSampler(const TruthScene& scene, const SceneGeometry& geometry, const ScenePassOptions& options,
               SceneSums& sums, int tile)
-      : scene_(scene), geometry_(geometry), options_(options), sums_(sums), tile_(tile) {
+      : scene_(scene),
+        geometry_(geometry),
+        options_(options),
+        sums_(sums),
+        tile_(tile),
+        objects_(geometry.alone.size()) {
     paths_.begin(geometry_.worlds, scene_.light);
   }
 
@@ -66,12 +71,12 @@ class TileSampler {
     if (paths_.size() >= paths_at_once) follow_paths();
   }
 
-  /// Most packets meet no object: one question for all three.
+  /// Most packets meet no object: one question for all of them.
   void find_objects(std::span<const Ray> rays) {
     const std::span any(objects_[0].data(), rays.size());
     nearest_seen(scene_.camera, geometry_.objects, rays, any, &counts_);
     const bool none = std::none_of(any.begin(), any.end(), [](const auto& hit) { return hit.has_value(); });
-    for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < objects_.size(); ++k) {
       const std::span hits(objects_[k].data(), rays.size());
       if (none)
         std::fill(hits.begin(), hits.end(), std::nullopt);
@@ -90,11 +95,11 @@ class TileSampler {
     }
   }
 
-  /// The surface that sample `i` shows when `left_out` (0 to 3, 0: none) is not there.
+  /// The surface that sample `i` shows when `left_out` (0: none) is not there.
   const SurfacePoint* seen_without(std::size_t i, int left_out) const {
     const SurfacePoint* room = room_[i] ? &*room_[i] : nullptr;
     const SurfacePoint* object = nullptr;
-    for (int k = 1; k <= 3; ++k) {
+    for (int k = 1; k <= geometry_.worlds.object_count; ++k) {
       const auto& hit = objects_[static_cast<std::size_t>(k - 1)][i];
       if (k != left_out && hit && (object == nullptr || hit->distance_m < object->distance_m)) object = &*hit;
     }
@@ -136,7 +141,7 @@ class TileSampler {
   /// Who is in front of whom, and the light of an object that something covers.
   void add_order(const Followed& seen, const SampleId& id, std::size_t i, const Sampler& sampler,
                  const PathRules& rules) {
-    for (int k = 1; k <= 3; ++k) {
+    for (int k = 1; k <= geometry_.worlds.object_count; ++k) {
       const auto& hit = objects_[static_cast<std::size_t>(k - 1)][i];
       if (!hit) continue;
       ObjectTile& there = object_tile(k);
@@ -172,7 +177,7 @@ class TileSampler {
     if (object != 0) own = &object_tile(object).halves[followed.half][followed.place];
     switch (followed.light_of) {
       case LightOf::front:
-        for (int v = 0; v <= 3; ++v)
+        for (int v = 0; v <= geometry_.worlds.object_count; ++v)
           if (object == 0 || v != object) see(followed, v, point, found);
         if (object == 0) return;
         own->object += found.light[0];
@@ -196,10 +201,11 @@ class TileSampler {
 
   void see(const Followed& followed, int world, const SurfacePoint& point, const PathLight& found) {
     const auto v = static_cast<std::size_t>(world);
-    WorldPixel& sums = sums_.halves[followed.half][followed.pixel];
-    sums.seen[v] += found.light[v];
-    if (mirrors()) sums_.mirrored[followed.half][followed.pixel].seen[v] += found.light[v].mirrored;
-    sums.surfaces[v] += 1.0F;
+    const WorldPlace at = sums_.place_of(followed.pixel, v);
+    WorldPixel& sums = sums_.halves[followed.half][at.pixel];
+    sums.seen[at.world] += found.light[v];
+    if (mirrors()) sums_.mirrored[followed.half][at.pixel].seen[at.world] += found.light[v].mirrored;
+    sums.surfaces[at.world] += 1.0F;
     if (world > 0) sums_.guides[v - 1][followed.pixel].add(point, found.reach_m);
   }
 
@@ -227,20 +233,23 @@ class TileSampler {
   int tile_;
   int end_sample_ = 0;  ///< of those being added
   Hits room_;
-  std::array<Hits, 3> objects_;
-  RayCounts counts_;  ///< of camera rays
+  std::vector<Hits> objects_;  ///< of each object
+  RayCounts counts_;           ///< of camera rays
   PathBatch paths_;
   std::vector<Followed> followed_;  ///< of each path
 };
 
 }  // namespace
 
-SceneSums empty_sums(const Camera& camera) {
+SceneSums empty_sums(const Camera& camera, std::size_t objects) {
   SceneSums sums;
+  sums.groups = (objects + worlds_a_group) / worlds_a_group;
+  sums.guides.resize(objects);
+  sums.objects.resize(objects);
   sums.grid = {camera.width_px, camera.height_px, wraps(camera)};
   const std::size_t pixels =
       static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px);
-  for (auto& half : sums.halves) half.resize(pixels);
+  for (auto& half : sums.halves) half.resize(pixels * sums.groups);
   for (auto& guides : sums.guides) guides.resize(pixels);
   for (auto& object : sums.objects) object.resize(static_cast<std::size_t>(sums.grid.count()));
   sums.spp.resize(static_cast<std::size_t>(sums.blocks().count()));

@@ -23,7 +23,7 @@ struct ScenePassOptions {
 };
 
 /// Empty sums for a picture of the scene's camera.
-[[nodiscard]] SceneSums empty_sums(const Camera& camera);
+[[nodiscard]] SceneSums empty_sums(const Camera& camera, std::size_t objects = 3);
 
 /// Adds samples to every block until it has `wanted_spp[block]` (even numbers); blocks that have as many are
 /// left alone. The background of each object, the reference, and each object's own light are one computation.

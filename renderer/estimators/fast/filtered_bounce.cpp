@@ -19,8 +19,7 @@ void each_pixel(const TruthSums& sums, int threads, const Work& work) {
 /// Creases of the truth, in 1/m: the depth mesh has them where it has any.
 float truth_inverse_reach(const ObjectTruth& truth, std::size_t pixel) {
   const auto k = static_cast<std::size_t>(truth.object_index);
-  const float samples =
-      truth.scene_sums.halves[0][pixel].surfaces[k] + truth.scene_sums.halves[1][pixel].surfaces[k];
+  const float samples = truth.scene_sums.surfaces(0, pixel, k) + truth.scene_sums.surfaces(1, pixel, k);
   return samples > 0.0F ? truth.scene_sums.guides[k - 1][pixel].inverse_reach / samples : 0.0F;
 }
 

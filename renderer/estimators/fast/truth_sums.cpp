@@ -23,12 +23,13 @@ struct PixelOfObject {
   Split without_object, with_object;
   float uncovered_surfaces;
 
-  PixelOfObject(const WorldPixel& world, const WorldMirrored& mirrored, const OwnLight& object, std::size_t k)
+  PixelOfObject(const SceneSums& sums, std::size_t half, std::size_t pixel, const OwnLight& object,
+                std::size_t k)
       : own(object) {
-    uncovered_surfaces = world.surfaces[k] - object.pixel.behind_surfaces;
+    uncovered_surfaces = sums.surfaces(half, pixel, k) - object.pixel.behind_surfaces;
     if (uncovered_surfaces <= 0.0F) return;
-    without_object = world.seen[k].with(mirrored.seen[k]);
-    with_object = world.seen[0].with(mirrored.seen[0]);
+    without_object = sums.seen(half, pixel, k);
+    with_object = sums.seen(half, pixel, 0);
     if (object.pixel.covered > 0.0F) {
       without_object -= object.behind();
       with_object -= object.object();
@@ -48,7 +49,7 @@ class TruthSumsMaker {
         options_(options) {}
 
   TruthSums make() {
-    const std::size_t pixels = sums_.halves[0].size();
+    const std::size_t pixels = sums_.halves[0].size() / sums_.groups;
     truth_.width_px = sums_.grid.width_px;
     truth_.height_px = sums_.grid.height_px;
     truth_.spp = *std::max_element(sums_.spp.begin(), sums_.spp.end());
@@ -87,7 +88,7 @@ class TruthSumsMaker {
     const OwnLight own = tile == nullptr
                              ? OwnLight{no_object, no_mirrored}
                              : OwnLight{tile->halves[half][place], mirrored_at(tile->mirrored[half], place)};
-    return {sums_.halves[half][i], mirrored_at(sums_.mirrored[half], i), own, k_};
+    return {sums_, half, i, own, k_};
   }
   /// Scale from a pixel's own number of samples to the truth's.
   [[nodiscard]] float scale(int x, int y) const {
@@ -97,16 +98,17 @@ class TruthSumsMaker {
   void collect_uncovered(int x, int y) {
     const std::size_t i = sums_.index(x, y);
     float samples = 0;
-    for (const auto& half : sums_.halves) samples += half[i].surfaces[k_];
+    for (std::size_t half = 0; half < 2; ++half) samples += sums_.surfaces(half, i, k_);
     const Surface surface = surface_of(sums_.guides[k_ - 1][i], samples, camera_, x, y);
     surfaces_[i] = surface;
     truth_.guides[i] = {surface.normal, surface.distance_m};
     if (samples <= 0.0F) return;
     for (std::size_t half = 0; half < 2; ++half) {
       const PixelOfObject pixel = parts(x, y, half);
-      const WorldPixel& world = sums_.halves[half][i];
-      texels_[i].without_object(half) = world.seen[k_].bounce / surface.albedo;
-      texels_[i].without_samples(half) = world.surfaces[k_];
+      const WorldPlace at = sums_.place_of(i, k_);
+      const WorldPixel& worlds = sums_.halves[half][at.pixel];
+      texels_[i].without_object(half) = worlds.seen[at.world].bounce / surface.albedo;
+      texels_[i].without_samples(half) = worlds.surfaces[at.world];
       if (pixel.uncovered_surfaces <= 0.0F) continue;
       texels_[i].change(half) = (pixel.with_object.bounce - pixel.without_object.bounce) / surface.albedo;
       texels_[i].change_samples(half) = pixel.uncovered_surfaces;

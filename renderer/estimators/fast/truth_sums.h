@@ -12,7 +12,7 @@ struct TruthSumsOptions {
   int threads = 1;
 };
 
-/// The truth of one object (1 to 3), taken from the sums of the truth pass, its bounce light filtered.
+/// The truth of one object (from 1), taken from the sums of the truth pass, its bounce light filtered.
 /// Scaled as if every tile had the most samples that one has.
 [[nodiscard]] TruthSums truth_sums(const SceneSums& sums, const Camera& camera, const Light& light,
                                    int object, const TruthSumsOptions& options);

@@ -63,7 +63,7 @@ class PathEstimator : public SceneEstimator {
     truth_ = render_truth(scene_, *geometry_, pass(progress), seen_.get());
   }
 
-  [[nodiscard]] int truth_pieces() const override { return 3; }
+  [[nodiscard]] int truth_pieces() const override { return static_cast<int>(scene_.objects.size()); }
 
   void write_truth(int piece, ByteWriter& out, const ReportProgress& progress) override {
     take_object(piece, progress);

@@ -95,7 +95,7 @@ SceneReference render_reference(const TruthScene& scene, const PassOptions& opti
 SceneReference render_reference(const TruthScene& scene, const PassOptions& options,
                                 const SeenEmission* seen) {
   const Camera& camera = scene.camera;
-  const Geometry everything = scene.geometry(true, {1, 2, 3});
+  const Geometry everything = scene.geometry(true, scene.object_indices());
   SceneReference reference{Image(camera.width_px, camera.height_px, 3), click_map(scene), 0};
   std::atomic<std::int64_t> rays = 0;
   const auto row = [&](int y) {

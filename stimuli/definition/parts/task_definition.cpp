@@ -2,7 +2,10 @@
 
 #include <fmt/core.h>
 
+#include <array>
+
 #include "stimuli/definition/parts/staircase_definition.h"
+#include "stimuli/definition/study_definition.h"
 
 namespace seamline::inline stimuli {
 
@@ -24,12 +27,13 @@ std::string_view word(TaskKind kind) {
   return {};
 }
 
-TaskFacts facts_of(const TaskDefinition* task) {
-  if (task == nullptr) return {};
+namespace {
+
+TaskFacts facts_by_kind(const TaskDefinition* task) {
   const TaskKind kind = task->kind;
   switch (kind) {
     case TaskKind::object:
-      return {.rates = task->second_question};
+      return {.alternatives = task->objects, .chance = 1.0 / task->objects, .rates = task->second_question};
     case TaskKind::pair:
       return {.kind = kind,
               .alternatives = 2,
@@ -53,9 +57,59 @@ TaskFacts facts_of(const TaskDefinition* task) {
   return {};
 }
 
+}  // namespace
+
+TaskFacts facts_of(const TaskDefinition* task) {
+  if (task == nullptr) return {};
+  TaskFacts facts = facts_by_kind(task);
+  facts.objects = task->objects;
+  return facts;
+}
+
+int objects_of(const StudyDefinition& study) {
+  return facts_of(study.task.get()).objects;
+}
+
+std::string number_word(int number) {
+  constexpr std::array<const char*, most_objects_of_scene> words = {"one",  "two", "three", "four",
+                                                                    "five", "six", "seven", "eight"};
+  return words.at(static_cast<std::size_t>(number - 1));
+}
+
 std::vector<std::string> impairment_labels() {
   return {"Imperceptible", "Perceptible, but not annoying", "Slightly annoying", "Annoying", "Very annoying"};
 }
+
+namespace {
+
+std::vector<std::string> object_names(int objects) {
+  if (objects == 2) return {"on the left", "on the right"};
+  constexpr std::array<const char*, most_objects_of_scene> places = {"first", "second", "third",   "fourth",
+                                                                     "fifth", "sixth",  "seventh", "eighth"};
+  std::vector<std::string> names;
+  for (int i = 0; i < objects; ++i)
+    names.push_back(std::string(places.at(static_cast<std::size_t>(i))) + " from the left");
+  return names;
+}
+
+/// Of another number than the usual three.
+TaskTexts object_texts(int objects, const std::string& second, const std::string& end) {
+  const std::string keys = objects == 2 ? "1 for left, 2 for right"
+                                        : fmt::format("its number, counted from the left (1 to {})", objects);
+  return {
+      .question = fmt::format("Which of the {} objects was inserted into the picture?", number_word(objects)),
+      .hint = fmt::format("Click an object, or press 1 {} {}", objects == 2 ? "or" : "to", objects),
+      .instructions = fmt::format("Each picture shows a place with {} objects, from left to right.\n\nOne "
+                                  "of them was not there when the picture was taken. It was inserted by a "
+                                  "computer, and something about its light, its shadow or its edge may be "
+                                  "wrong.\n\nChoose the object that you think was inserted: click it, or "
+                                  "press {}. Often it will be hard to tell. Then guess.",
+                                  number_word(objects), keys) +
+                      second + end,
+      .answers = object_names(objects)};
+}
+
+}  // namespace
 
 TaskTexts usual_texts(const TaskDefinition& task) {
   const std::string second =
@@ -69,7 +123,7 @@ TaskTexts usual_texts(const TaskDefinition& task) {
       "shadow or its edge may be wrong.\n\n";
   switch (task.kind) {
     case TaskKind::object:
-      return {};
+      return task.objects == usual_objects ? TaskTexts{} : object_texts(task.objects, second, end);
     case TaskKind::pair:
       return {.question = "Into which of the two pictures was an object inserted?",
               .hint = "Click a picture or an answer, or press 1 or 2",
@@ -135,6 +189,7 @@ std::string canonical_text(const TaskDefinition* task) {
   if (task == nullptr) return {};
   std::string out = fmt::format("task {} exposure {} second question {} repetitions {}\n", word(task->kind),
                                 task->exposure_s, task->second_question ? "yes" : "no", task->repetitions);
+  if (task->objects != usual_objects) out += fmt::format("task objects {}\n", task->objects);
   if (task->kind == TaskKind::interval)
     out += fmt::format("task pictures {} gap {}\n", task->pictures, task->gap_s);
   for (const std::string& label : task->labels) out += "task label " + label + "\n";

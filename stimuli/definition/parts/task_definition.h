@@ -8,10 +8,11 @@
 namespace seamline::inline stimuli {
 
 struct StaircaseDefinition;  // parts/staircase_definition.h
+struct StudyDefinition;      // study_definition.h
 
 /// What a trial asks.
 enum class TaskKind {
-  object,    ///< one picture: which of its three objects was inserted?
+  object,    ///< one picture: which of its objects was inserted?
   pair,      ///< reference and stimulus side by side: in which of the two was an object inserted?
   interval,  ///< pictures one after another, one of them the stimulus and the others its reference: which
              ///< one?
@@ -24,15 +25,19 @@ inline constexpr std::array<TaskKind, 6> every_task_kind = {TaskKind::object,   
                                                             TaskKind::rating,   TaskKind::match};
 [[nodiscard]] std::string_view word(TaskKind kind);
 
+/// Objects of a scene: those of a study that does not say how many, and at most.
+inline constexpr int usual_objects = 3, most_objects_of_scene = 8;
+
 /// `[task]` of a study. A study without it asks for the object, once a stimulus, and then for a rating.
 struct TaskDefinition {
   TaskKind kind = TaskKind::object;
+  int objects = usual_objects;  ///< of each scene, from left to right
   int pictures = 2;             ///< interval: shown one after another, 2 or 3
   double exposure_s = 0;        ///< how long a picture is seen; 0: until the answer (never of `interval`)
   double gap_s = 0.5;           ///< interval: grey between two pictures
   bool second_question = true;  ///< after the choice: how noticeable was it? Never of yes_no and rating
-  /// What the alternatives are called, below the picture; of `object` and `rating` none. Can be edited in a
-  /// set.
+  /// What the alternatives are called, below the picture; of `rating` and the usual three objects none, of
+  /// another number of objects what screen readers and practice call them. Can be edited in a set.
   std::vector<std::string> answers = {};
   std::vector<std::string> labels = {};  ///< rating: five, from nothing seen to most noticeable
   /// How often each stimulus is shown to a participant; of `match` each object in each condition.
@@ -44,6 +49,7 @@ struct TaskDefinition {
 /// What follows from a task, in one place.
 struct TaskFacts {
   TaskKind kind = TaskKind::object;
+  int objects = usual_objects;  ///< of each scene
   int alternatives = 3;  ///< to choose among; of yes_no and rating 2: something is there (1), or nothing (2)
   /// How often somebody who sees nothing is right. 0 where only reference trials tell: how often people see
   /// something where nothing is.
@@ -54,6 +60,10 @@ struct TaskFacts {
   bool chooses = true;        ///< there is a choice
   bool rates = true;          ///< there is a rating
 
+  /// One of three objects is chosen, then rated.
+  [[nodiscard]] bool is_papers() const {
+    return kind == TaskKind::object && alternatives == usual_objects && rates;
+  }
   /// The alternatives are steps (`MatchStep`), and nothing is right.
   [[nodiscard]] bool adjusts() const { return kind == TaskKind::match; }
 };
@@ -64,9 +74,15 @@ enum class MatchStep : int { clearer = 1, fainter = 2, just_seen = 3 };
 /// Of a study's task; null: the task of a study that names none.
 [[nodiscard]] TaskFacts facts_of(const TaskDefinition* task);
 
+/// Of each scene of a study.
+[[nodiscard]] int objects_of(const StudyDefinition& study);
+
 /// The labels of the rating task where the study names none: the impairment scale of ITU-R BT.500, turned
 /// round so that 0 is nothing seen.
 [[nodiscard]] std::vector<std::string> impairment_labels();
+
+/// "one" to "eight".
+[[nodiscard]] std::string number_word(int number);
 
 /// What is asked, told and hinted where the study file does not say it.
 struct TaskTexts {

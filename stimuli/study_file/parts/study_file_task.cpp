@@ -47,7 +47,8 @@ std::vector<std::string> read_answers(const TomlTable& task, const TaskDefinitio
   if (!task.has("answers")) return usual;
   if (usual.empty())
     throw task.complaint("answers",
-                         "kind = \"pair\", \"interval\", \"yes_no\" or \"match\" where they are set",
+                         "kind = \"pair\", \"interval\", \"yes_no\" or \"match\", or other than three "
+                         "objects, where they are set",
                          "kind = \"" + std::string(word(definition.kind)) + "\"");
   std::vector<std::string> answers = task.texts("answers");
   const std::set<std::string> different(answers.begin(), answers.end());
@@ -62,6 +63,8 @@ TaskDefinition read_task_table(const TomlTable& table) {
   task.kind = read_kind(table);
   const bool interval = task.kind == TaskKind::interval;
   const bool second = task.kind == TaskKind::object || task.kind == TaskKind::pair || interval;
+  const double fewest = task.kind == TaskKind::object ? 2 : 1;  // among one there is no choice
+  task.objects = table.integer("objects", task.objects, {fewest, most_objects_of_scene, "objects"});
   refuse_unless(table, "pictures", interval, task.kind, "\"interval\"");
   refuse_unless(table, "gap_s", interval, task.kind, "\"interval\"");
   refuse_unless(table, "labels", task.kind == TaskKind::rating, task.kind, "\"rating\"");
@@ -199,7 +202,7 @@ void check_task(const TomlTable& study, StudyDefinition& definition) {
 /// The study's own words stay.
 void set_usual_texts(const TomlTable& study, StudyDefinition& definition) {
   const TaskDefinition& task = *definition.task;
-  if (task.kind == TaskKind::object) return;
+  if (task.kind == TaskKind::object && task.objects == usual_objects) return;
   const TaskTexts texts = usual_texts(task);
   const auto says = [&](const char* table, const char* key) {
     const auto found = study.table(table);

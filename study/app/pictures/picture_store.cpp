@@ -33,6 +33,7 @@ PictureStore::PictureStore(const RenderedSet& set, bool scaled)
       ladders_(make_trial_rules(set).ladders),
       slots_(slots_of(set, ladders_.get())),
       loader_([&set](const Trial& trial) { return load_trial_picture(set, trial); }) {
+  const int objects = objects_of(set.study);
   std::map<std::string, bool> two_eyes;
   for (const SceneDefinition& scene : list_truths(set.study))
     two_eyes[scene.truth] = scene.view.kind == ViewKind::side_by_side;
@@ -43,8 +44,9 @@ PictureStore::PictureStore(const RenderedSet& set, bool scaled)
       objects_[truth] =
           shows_clips(set) ? objects_of_frames(set, trial)
           : is_panorama(set.study)
-              ? std::vector{make_panorama_map(load_object_ids(set, trial))}
-              : std::vector{make_object_map(load_object_ids(set, trial), usual_reach_px, two_eyes[truth])};
+              ? std::vector{make_panorama_map(load_object_ids(set, trial), usual_reach_px, objects)}
+              : std::vector{
+                    make_object_map(load_object_ids(set, trial), usual_reach_px, two_eyes[truth], objects)};
   }
 }
 

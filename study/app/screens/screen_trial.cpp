@@ -20,7 +20,7 @@ struct TrialOnScreen {
   TrialPlace place;
   const ObjectMap& objects;
   const LookDefinition* view = nullptr;  ///< of a panorama
-  std::array<PictureFrame, 3> frames = {};
+  std::vector<PictureFrame> frames = {};
 
   [[nodiscard]] bool turns() const { return view != nullptr && view->kind == LookKind::mouse; }
   [[nodiscard]] int object_at_place(const Point& at) const {
@@ -49,9 +49,11 @@ struct TrialOnScreen {
   }
 };
 
-/// The keyboard's place among ratings 0..3 and objects 4..6.
+/// The keyboard's place among ratings 0..3 and objects from 4 on.
 constexpr int first_object_place = highest_rating;
-constexpr int places = highest_rating + objects_per_stimulus;
+int places_of(const TrialOnScreen& trial) {
+  return first_object_place + static_cast<int>(trial.frames.size());
+}
 
 bool arrows(const Stage& stage) {
   return stage.input.pressed(Key::left) || stage.input.pressed(Key::right) || stage.input.pressed(Key::up) ||
@@ -66,13 +68,14 @@ Outcome choose(const TrialOnScreen& trial) {
   if (trial.turns())
     stage.drafts.trial_focus = -1;
   else
-    move_focus(stage, first_object_place, places - 1);
+    move_focus(stage, first_object_place, places_of(trial) - 1);
   const int hovered = trial.object_under_mouse();
   const int focused = stage.drafts.trial_focus - first_object_place + 1;
   trial.bracket(hovered != 0 && trial.mouse_has_moved() ? hovered : focused, Bracket::pointed);
   int chosen = 0;
   if (trial.clicked()) chosen = hovered;
-  if (const int digit = stage.input.digit(); digit >= 1 && digit <= objects_per_stimulus && !trial.turns())
+  if (const int digit = stage.input.digit();
+      digit >= 1 && digit <= static_cast<int>(trial.frames.size()) && !trial.turns())
     chosen = digit;
   if (trial.turns() && uses_focus(stage)) chosen = trial.object_in_middle();
   if (focused >= 1 && uses_focus(stage)) chosen = focused;
@@ -97,7 +100,7 @@ Outcome rate(const TrialOnScreen& trial, const Rating& phase) {
   draw_question(stage, trial.place, Font::body, stage.set.study.session.rating_question, 0.9);
   draw_question(stage, trial.place, Font::small, stage.phrase(Phrase::rating_hint), 4.85);
   if (!(trial.turns() && arrows(stage)))  // which turn the view
-    move_focus(stage, 0, trial.turns() ? first_object_place - 1 : places - 1);
+    move_focus(stage, 0, trial.turns() ? first_object_place - 1 : places_of(trial) - 1);
   const int hovered_object = trial.object_under_mouse();
   const int focus = stage.drafts.trial_focus;
   if (hovered_object != 0) trial.bracket(hovered_object, Bracket::pointed);

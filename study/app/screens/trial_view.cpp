@@ -39,7 +39,7 @@ void show_picture(Stage& stage, const Trial& trial, const Texture& picture, cons
   stage.panorama = {&picture, place.picture, {axes_of(stage.looking.pose), half_tangents(*view)}};
 }
 
-std::array<PictureFrame, 3> seen_frames(const Stage& stage, const Trial& trial) {
+std::vector<PictureFrame> seen_frames(const Stage& stage, const Trial& trial) {
   const ObjectMap& objects = stage.pictures.objects(trial);
   const LookDefinition* view = look_at(stage, trial);
   return view == nullptr ? objects.frames : frames_in_view(*view, stage.looking.pose, objects);

@@ -15,7 +15,7 @@ namespace seamline::study::app {
 void show_picture(Stage& stage, const Trial& trial, const Texture& picture, const TrialPlace& place);
 
 /// The objects of a trial as they are seen in the picture or the view of it.
-[[nodiscard]] std::array<PictureFrame, 3> seen_frames(const Stage& stage, const Trial& trial);
+[[nodiscard]] std::vector<PictureFrame> seen_frames(const Stage& stage, const Trial& trial);
 
 /// Grey with a mark where the middle of the picture will be, or of each eye's half of it.
 void draw_fixation(Stage& stage, bool two_eyes);

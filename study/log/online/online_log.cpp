@@ -94,7 +94,7 @@ std::optional<OnlinePerson> OnlineLog::find(const std::string& code) {
   while (answer.executeStep()) {
     person.answered.insert(values.number(0, 0));
     person.place.answers.push_back({.trial_index = values.number(0, 0),
-                                    .chosen_index = values.number(1, 1, 3),
+                                    .chosen_index = values.number(1, 1, most_objects_of_scene),
                                     .rating = values.number(2, 1, 4),
                                     .choice_ns = values.time(3),
                                     .rating_ns = values.time(4)});

@@ -196,17 +196,30 @@ bool has_tasks(const SalvagedLog& log) {
          });
 }
 
-/// What the recovered log is made of: its artifacts and task decide, and whether anybody took part in a
-/// browser.
+/// Whether a scene has more objects than the usual three.
+bool has_many_objects(const SalvagedLog& log) {
+  constexpr std::size_t object_index_column = 5;
+  const auto stimuli = log.find("stimuli");
+  return stimuli != log.end() &&
+         std::any_of(stimuli->second.begin(), stimuli->second.end(), [](const LogRow& row) {
+           const auto* index = row.size() > object_index_column
+                                   ? std::get_if<std::int64_t>(&row[object_index_column])
+                                   : nullptr;
+           return index != nullptr && *index > usual_objects;
+         });
+}
+
+/// What the recovered log is made of: its artifacts, objects and task decide, and whether anybody took part
+/// in a browser.
 int schema_version_for(const SalvagedLog& log) {
-  const bool online = has_browsers(log), task = has_tasks(log);
+  const bool online = has_browsers(log), task = has_tasks(log), many = has_many_objects(log);
   const std::string word_of_4(word(Artifact::reflection));
   if (const auto stimuli = log.find("stimuli"); stimuli != log.end())
     for (const LogRow& row : stimuli->second)
       for (const auto& value : row)
         if (const auto* text = std::get_if<std::string>(&value); text != nullptr && *text == word_of_4)
-          return log_schema_version_with(online, true, task);
-  return log_schema_version_with(online, false, task);
+          return log_schema_version_with(online, true, task, many);
+  return log_schema_version_with(online, false, task, many);
 }
 
 void check_whole_study(SQLite::Database& database, const fs::path& damaged) {

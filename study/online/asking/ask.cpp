@@ -70,13 +70,13 @@ std::int64_t nanoseconds_of(double seconds) {
   return static_cast<std::int64_t>(std::llround(seconds * 1e9));
 }
 
-TrialAnswer answer_of_line(const std::string& line, int index) {
+TrialAnswer answer_of_line(const std::string& line, int index, int alternatives) {
   constexpr double longest_s = 1e6;
   const JsonValue json = read_strict_json(line, "answer");
   const JsonFields fields(json, "answer", {"trial_index", "chosen_index", "rating", "choice_s", "rating_s"});
   static_cast<void>(fields.whole("trial_index", index, index));
   TrialAnswer answer{.trial_index = index,
-                     .chosen_index = static_cast<int>(fields.whole("chosen_index", 1, objects_per_stimulus)),
+                     .chosen_index = static_cast<int>(fields.whole("chosen_index", 1, alternatives)),
                      .rating = static_cast<int>(fields.whole("rating", 1, highest_rating)),
                      .choice_ns = nanoseconds_of(fields.real("choice_s", 0, longest_s))};
   answer.rating_ns =
@@ -89,11 +89,12 @@ std::string text_of(const AskJson& json) {
 }
 
 /// None: the lines have ended.
-std::optional<TrialAnswer> hear(const LineSource& hear_line, const LineSink& say_line, int index) {
+std::optional<TrialAnswer> hear(const LineSource& hear_line, const LineSink& say_line, int index,
+                                int alternatives) {
   for (std::string line; hear_line(line);) try {
       if (line.size() > most_line_bytes)
         throw input_error({.field = "answer", .wanted = "at most 65536 bytes", .found = "more"});
-      return answer_of_line(line, index);
+      return answer_of_line(line, index, alternatives);
     } catch (const InputError& error) {
       say_line(text_of({{"type", "error"}, {"trial_index", index}, {"error", printable(error.what())}}));
     }
@@ -130,7 +131,7 @@ void ask(const AskRequest& request, const LineSource& hear_line, const LineSink&
     store_due_trial(trials, log, place);
     const int index = answered_trials(trials);
     say_line(text_of(question_of(set, *due, index, study::most_trials(trials))));
-    const std::optional<TrialAnswer> answer = hear(hear_line, say_line, index);
+    const std::optional<TrialAnswer> answer = hear(hear_line, say_line, index, rules.task.alternatives);
     if (!answer) return;
     log.append_answer(place, *answer);
     trials = after_answer(std::move(trials), *answer);

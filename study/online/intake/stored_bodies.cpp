@@ -90,6 +90,13 @@ void Intake::store(Person& who, const DisplayBody& body) {
   log_.record_display(who.stored, facts_of(body));
 }
 
+/// A message alone does not say among how many the participant chose.
+void Intake::check_choice(const PictureAnswer& answer) const {
+  if (answer.chosen_index > rules_.task.alternatives)
+    throw wrong("body.chosen_index", fmt::format("1 to {}", rules_.task.alternatives),
+                std::to_string(answer.chosen_index));
+}
+
 void Intake::check_shown(const Trial& planned, const PictureAnswer& answer, const std::string& which) const {
   if (answer.kind == planned.kind && names_.is_name_of(planned, answer.stimulus_id, known_names_)) return;
   // Whoever asks may be the participant: the set's own id would tell them the right answer.
@@ -111,6 +118,7 @@ void Intake::store(Person& who, const TrainingBody& body) {
   if (body.training_index >= static_cast<int>(script_.training.size()))
     throw wrong("body.training_index", fmt::format("one of {} practice trials", script_.training.size()),
                 std::to_string(body.training_index));
+  check_choice(body.answer);
   const Trial& planned = script_.training[static_cast<std::size_t>(body.training_index)];
   check_shown(planned, body.answer, which);
   if (!log_.append_training(who.stored,
@@ -128,6 +136,7 @@ void Intake::store(Person& who, const AnswerBody& body) {
   if (body.trial_index >= static_cast<int>(stored.place.trials.size()))
     throw conflict(which, fmt::format("one of {} planned trials", stored.place.trials.size()),
                    "one that is not planned");
+  check_choice(body.answer);
   const Trial& planned = stored.place.trials[static_cast<std::size_t>(body.trial_index)];
   if (!rules_.ladders) check_shown(planned, body.answer, which);
   if (rules_.is_adaptive() && body.trial_index != stored.place.answered)

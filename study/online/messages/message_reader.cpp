@@ -33,7 +33,7 @@ TrialKind kind_of_trial(const JsonFields& body) {
 PictureAnswer picture_answer(const JsonFields& body) {
   PictureAnswer answer{.kind = kind_of_trial(body),
                        .stimulus_id = body.text("stimulus_id", 1, most_name_bytes),
-                       .chosen_index = static_cast<int>(body.whole("chosen_index", 1, objects_per_stimulus)),
+                       .chosen_index = static_cast<int>(body.whole("chosen_index", 1, most_objects_of_scene)),
                        .rating = static_cast<int>(body.whole("rating", 1, highest_rating)),
                        .choice_ns = body.whole("choice_ns", 0, most_time_ns)};
   answer.rating_ns = body.whole("rating_ns", answer.choice_ns, most_time_ns);

@@ -79,8 +79,11 @@ std::vector<Trial> every_trial(const RenderedSet& set, const ShownNames& names) 
 
 /// The map of a trial's picture, or of each frame of its clip.
 std::string maps_text(const RenderedSet& set, const Trial& trial) {
-  if (is_panorama(set.study)) return packed_map(make_panorama_map(load_object_ids(set, trial)));
-  if (!shows_clips(set)) return packed_map(make_object_map(load_object_ids(set, trial)));
+  const int objects = objects_of(set.study);
+  if (is_panorama(set.study))
+    return packed_map(make_panorama_map(load_object_ids(set, trial), usual_reach_px, objects));
+  if (!shows_clips(set))
+    return packed_map(make_object_map(load_object_ids(set, trial), usual_reach_px, false, objects));
   std::string text;
   for (const ObjectMap& map : objects_of_frames(set, trial))
     text += (text.empty() ? "[" : ",") + packed_map(map);

@@ -27,7 +27,7 @@ export function unpackMap(packed) {
   return { width_px: packed.width_px, height_px: packed.height_px, frames: packed.frames, nearest };
 }
 
-/** The object at a place of the picture: 1 left, 2 middle, 3 right, or 0. */
+/** The object at a place of the picture, from 1 on the left, or 0. */
 export function objectAt(map, x_px, y_px) {
   if (x_px < 0 || y_px < 0 || x_px >= map.width_px || y_px >= map.height_px) return 0;
   return map.nearest[Math.floor(y_px) * map.width_px + Math.floor(x_px)];

@@ -149,14 +149,17 @@ function viewOf(app, trial) {
   };
 }
 
-/** What lies below the three objects for keyboards and screen readers: it sees no mouse. */
+/** What an object is called: by its side where there are three, else as the study says. */
+const objectName = (app, index) => app.study.task?.answers?.[index - 1] ?? app.phrase(SIDES[index - 1]);
+
+/** What lies below the objects for keyboards and screen readers: it sees no mouse. */
 function objectButtons(app, stage, map, choose) {
   const buttons = map.frames.map((frame, at) =>
     element("button", {
       type: "button",
       class: "object",
       id: "object-" + (at + 1),
-      "aria-label": at + 1 + " " + app.phrase(SIDES[at]),
+      "aria-label": at + 1 + " " + objectName(app, at + 1),
       onclick: (event) => choose(at + 1, event),
     })
   );
@@ -504,7 +507,7 @@ export function drawFeedback(app, display) {
   const stage = makeStage(app, display, view.size_px);
   const right = trial.right_index;
   const text = chosen_index === right ? app.study.feedback_right : app.study.feedback_wrong;
-  stage.question.textContent = right > 0 ? app.fill(text, { object: app.phrase(SIDES[right - 1]) }) : "";
+  stage.question.textContent = right > 0 ? app.fill(text, { object: objectName(app, right) }) : "";
   const button = element(
     "button",
     { type: "button", id: "continue", class: "leading", onclick: () => app.step({ type: "continued" }) },
