@@ -31,6 +31,12 @@ std::optional<std::int64_t> onset_of(const Session* session) {
   return std::nullopt;
 }
 
+/// Trials of the practice or the study that is on the screen; -1: neither is.
+int answered_on_screen(const Visit& visit) {
+  const Session* session = session_on_screen(visit);
+  return session == nullptr ? -1 : answered_trials(session->trials);
+}
+
 bool is_timed(const Session& session) {
   return std::holds_alternative<Viewing>(session.phase) || std::holds_alternative<Gap>(session.phase);
 }
@@ -76,6 +82,7 @@ void Application::run_frame() {
   prepare_pictures(begun_ns);
 
   stage_.panorama.reset();
+  stage_.picture_seen.reset();
   ui_.begin(stage_.input, stage_.screen_px);
   const Outcome outcome =
       std::visit([&](const auto& screen) { return draw(screen, visit_, stage_); }, visit_.screen);
@@ -159,7 +166,9 @@ void Application::step(const VisitEvent& event) {
   const int page = std::holds_alternative<InstructionScreen>(visit_.screen)
                        ? std::get<InstructionScreen>(visit_.screen).page
                        : -1;
+  const int answered = answered_on_screen(visit_);
   visit_ = store_.step(std::move(visit_), event);
+  if (answered_on_screen(visit_) != answered) exposures_.forget();
   const auto* instructions = std::get_if<InstructionScreen>(&visit_.screen);
   if (screen_name(visit_.screen) != before || (instructions != nullptr && instructions->page != page))
     ui_.reset();
@@ -219,6 +228,7 @@ void Application::show_frame(std::int64_t begun_ns) {
     if (const auto onset_ns = onset_of(session))
       clip->note_shown(shown_ns - *onset_ns, static_cast<std::int64_t>(period_ns));
   trace_.shown(visit_, stage_);
+  note_exposure(session, shown_ns, static_cast<std::int64_t>(period_ns));
   if (first_of_picture) {
     note("shown", shown_ns, std::holds_alternative<TrainingScreen>(visit_.screen) ? "practice" : "");
     step(Event(ImageShown{shown_ns}));
@@ -229,6 +239,16 @@ void Application::show_frame(std::int64_t begun_ns) {
   }
   ++swap_;
   plan_next_frame(begun_ns, shown_ns);
+}
+
+/// Of a task that limits exposures: how long a picture stood that this frame took away.
+void Application::note_exposure(const Session* session, std::int64_t shown_ns, std::int64_t period_ns) {
+  if (session == nullptr || std::holds_alternative<Grey>(session->phase)) return exposures_.forget();
+  const std::int64_t exposure_ns = session->pace.task.exposure_ns;
+  if (exposure_ns == 0) return;
+  if (const auto ended = exposures_.note_shown(stage_.picture_seen, shown_ns, exposure_ns, period_ns))
+    note("exposure", shown_ns,
+         (std::holds_alternative<TrainingScreen>(visit_.screen) ? "practice " : "") + text_of(*ended));
 }
 
 /// When something changes by itself: after what a frame that began at `begun_ns` could know.

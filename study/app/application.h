@@ -9,6 +9,7 @@
 #include "study/app/screens/trace.h"
 #include "study/running/participant_request.h"
 #include "study/running/visit_store.h"
+#include "study/visit/exposures.h"
 #include "window/canvas.h"
 #include "window/panorama_view.h"
 #include "window/window.h"
@@ -46,6 +47,7 @@ class Application {
   [[nodiscard]] bool handle_pause();
   void prepare_pictures(std::int64_t now_ns);
   void show_frame(std::int64_t begun_ns);
+  void note_exposure(const Session* session, std::int64_t shown_ns, std::int64_t period_ns);
   void plan_next_frame(std::int64_t begun_ns, std::int64_t shown_ns);
 
   const RenderedSet& set_;
@@ -68,6 +70,7 @@ class Application {
   int layouts_ = 0;                           ///< of the frame that is being made
   std::int64_t swap_ = 0;                     ///< number of the next swap
   std::optional<std::int64_t> turn_ns_ = {};  ///< the due picture's turn came then
+  ExposureCounter exposures_;                 ///< of the trial on the screen
 };
 
 }  // namespace seamline::study::app

@@ -11,6 +11,7 @@
 
 #include "stimuli/definition/parts/task_definition.h"
 #include "study/exchange/clip_records.h"
+#include "study/exchange/exposure_records.h"
 #include "study/exchange/look_tables.h"
 #include "study/exchange/match_records.h"
 #include "study/log/online/reading_languages.h"
@@ -173,6 +174,8 @@ std::vector<CsvTable> answer_tables(const LogContents& log, const std::optional<
   std::vector<CsvTable> tables = {table_of_answers(log), table_of_catches(log), table_of_participants(log)};
   if (!anonymity) add_languages(log, tables.back());
   add_clip_columns(log, anonymity, tables.front());
+  if (!anonymity)
+    add_exposure_columns(log, tables.front());  // how a computer shows pictures may tell whose it is
   if (anonymity)
     for (CsvTable& table : tables) table = without_order(std::move(table), *anonymity);
   else  // how somebody moves may tell who it is

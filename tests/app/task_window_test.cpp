@@ -5,6 +5,7 @@
 #include <map>
 
 #include "picture_set.h"
+#include "study/exchange/answer_tables.h"
 #include "study/exchange/match_records.h"
 #include "study/log/log.h"
 #include "study/trials/level_ladders.h"
@@ -68,6 +69,21 @@ std::map<int, TaskPress> sit_through(test::WindowDriver& window, const test::XSe
   throw std::runtime_error("the sitting did not end: " + window.output());
 }
 
+/// Of an interval the pictures of each trial were counted.
+void expect_exposures(const LogContents& log, const TaskSitting& sitting) {
+  const CsvTable answers = answer_tables(log).front();
+  const auto column = std::find_if(answers.columns.begin(), answers.columns.end(),
+                                   [](const CsvColumn& one) { return one.name == "exposure_frames"; });
+  ASSERT_EQ(column != answers.columns.end(), std::string(sitting.kind) == "interval");
+  if (column == answers.columns.end()) return;
+  const auto at = static_cast<std::size_t>(column - answers.columns.begin());
+  for (const std::vector<CsvValue>& row : answers.rows) {
+    ASSERT_TRUE(std::holds_alternative<std::int64_t>(row.at(at)));
+    EXPECT_EQ(std::get<std::int64_t>(row[at]), 12);  // 0.2 s of 60 Hz
+    EXPECT_GE(std::get<std::int64_t>(row[at + 1]), 0);
+  }
+}
+
 TEST_P(TaskWindow, TheLogHoldsWhatWasPressed) {
   if (const std::string missing = test::what_is_missing(); !missing.empty()) GTEST_SKIP() << missing;
   const TaskSitting& sitting = GetParam();
@@ -90,6 +106,7 @@ TEST_P(TaskWindow, TheLogHoldsWhatWasPressed) {
   window.kill();
   const LogContents log = read_log(folder / "log.sqlite");
   EXPECT_EQ(log.answers.size(), 2U * static_cast<std::size_t>(sitting.objects));  // at two widths
+  expect_exposures(log, sitting);
   for (const Answer& answer : log.answers) {
     const TaskPress& press = pressed.at(answer.trial_index);
     if (sitting.alternatives > 0) {

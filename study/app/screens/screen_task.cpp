@@ -36,6 +36,7 @@ std::vector<Rect> trial_pictures(const Stage& stage, const TrialPlace& place) {
 
 /// Draws what a trial shows; of pictures one after another, number `picture` from 0.
 void show_pictures(Stage& stage, const TrialPlace& place, const Trial& trial, int picture) {
+  stage.picture_seen = picture;
   const std::vector<Trial> shown = shown_pictures(task_of(stage.set), trial);
   const std::vector<Rect> places = trial_pictures(stage, place);
   for (std::size_t i = 0; i < places.size(); ++i) {

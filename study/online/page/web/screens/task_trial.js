@@ -4,7 +4,7 @@ import { isPictureSeen, taskOf } from "../core/session.js";
 import { currentTrial, trialsAhead } from "../core/trials.js";
 import { nanoseconds } from "../core/messages.js";
 import { element, svg } from "./dom.js";
-import { answerRow, answering, lateFrames, showProgress, tightenRow } from "./trial_parts.js";
+import { answerRow, answering, exposures, lateFrames, showProgress, tightenRow } from "./trial_parts.js";
 
 /** The stage of a picture: everything is placed in pixels of the screen. */
 function makeStage(app, display) {
@@ -88,7 +88,9 @@ export function drawTaskTrial(app, display, isPractice) {
   let asked = ""; // the phase whose question stands there
   let shownWith = null; // the frame that shows the picture has begun
   let frame = null;
+  let frameAt = null; // when the frame began that is being drawn
   const lateness = lateFrames(app);
+  const exposed = exposures(app, task, detail);
   let open = true;
 
   showProgress(app, stage.node, session().trials, isPractice);
@@ -133,6 +135,8 @@ export function drawTaskTrial(app, display, isPractice) {
     const answering = ["choosing", "rating"].includes(now.name);
     const visible = shownPicture(now, answering);
     stage.show(visible);
+    if (["grey", "storing"].includes(now.name)) exposed.forget();
+    else if (frameAt !== null) exposed.see(visible, frameAt);
     stage.fixation.classList.toggle("visible", visible < 0 && ["grey", "awaiting", "gap"].includes(now.name));
     const opened = isOpen(nanoseconds(performance.now()));
     const asking = (now.name === "rating" && (task.chooses || opened)) || (now.name === "choosing" && opened);
@@ -160,6 +164,7 @@ export function drawTaskTrial(app, display, isPractice) {
   function onFrame(now) {
     frame = null;
     if (!open) return;
+    frameAt = now;
     lateness.see(now);
     if (phase().name === "grey") step({ type: "tick", now_ns: nanoseconds(now) });
     if (["viewing", "gap"].includes(phase().name)) step({ type: "tick", now_ns: whenSeen(now) });
@@ -176,6 +181,7 @@ export function drawTaskTrial(app, display, isPractice) {
     }
     if (phase().name !== "awaiting") shownWith = null;
     if (open) update();
+    frameAt = null;
   }
 
   /** A pair is answered by the picture itself, too. */

@@ -72,3 +72,25 @@ export function lateFrames(app) {
     },
   };
 }
+
+/** Counts for how many refreshes of the screen a task's pictures stand there, and notes each exposure that ended by itself. */
+export function exposures(app, task, detail) {
+  let seen = -1;
+  let since = 0;
+  return {
+    /** A frame that begins at `now` shows a picture, from 0, or none (-1). */
+    see(visible, now) {
+      if (task.exposure_ns === 0 || visible === seen) return;
+      const period = 1000 / (app.screen.refreshHz() || 60);
+      const frames = Math.round((now - since) / period);
+      const wanted = Math.max(1, Math.round(task.exposure_ns / 1e6 / period));
+      if (seen >= 0) app.note("exposure", (detail + ` picture ${seen + 1} frames ${frames} wanted ${wanted}`).trim(), now);
+      seen = visible;
+      since = now;
+    },
+    /** An answer or a pause ended it. */
+    forget() {
+      seen = -1;
+    },
+  };
+}
