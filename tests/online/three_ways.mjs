@@ -175,7 +175,7 @@ async function inBrowser(address, deed, end = async () => {}) {
 }
 
 const thresholdsOf = (log, out) => {
-  run("analyze", log, "--out", out, "--replicates", "50");
+  run("analyze", log, "--out", out, "--bootstrap", "100");
   return readFileSync(join(out, "thresholds.json"), "utf8");
 };
 
