@@ -105,7 +105,7 @@ double log2_or_beyond(const ThresholdEstimate& estimate) {
   return estimate.reason.starts_with("above") ? above_every_level : below_every_level;
 }
 
-double level_of(const ManifestStimulus& record, const LevelAxis& axis) {
+double level_of_record(const ManifestStimulus& record, const LevelAxis& axis) {
   return of_depth_widths(axis) ? record.stimulus.depth.width_px : record.stimulus.level;
 }
 
@@ -115,9 +115,11 @@ double take_finest_for_floor(const Manifest& manifest, VisibleDifferences& diffe
                              const LevelAxis& axis) {
   std::map<std::pair<std::string, Artifact>, const ManifestStimulus*> finest;
   for (const ManifestStimulus& record : manifest.stimuli) {
-    if (record.stimulus.artifact == Artifact::none || stands_apart(axis, level_of(record, axis))) continue;
+    if (record.stimulus.artifact == Artifact::none || stands_apart(axis, level_of_record(record, axis)))
+      continue;
     const ManifestStimulus*& last = finest[{floor_key(record.stimulus), record.stimulus.artifact}];
-    if (last == nullptr || comes_before(axis, level_of(*last, axis), level_of(record, axis))) last = &record;
+    if (last == nullptr || comes_before(axis, level_of_record(*last, axis), level_of_record(record, axis)))
+      last = &record;
   }
   double highest = 0;
   for (const ManifestStimulus& record : manifest.stimuli) {
@@ -141,7 +143,7 @@ std::vector<PredictedArtifact> predict_artifacts(const Manifest& manifest,
   for (const ManifestStimulus& record : manifest.stimuli) {
     if (record.stimulus.artifact == Artifact::none) continue;
     Cells& cells = sums.try_emplace(record.stimulus.artifact, before).first->second;
-    CellSums& cell = cells[level_of(record, axis)];
+    CellSums& cell = cells[level_of_record(record, axis)];
     const double difference = differences.at(record.id).above_floor;
     cell.difference += difference;
     cell.noticeability += expected_mean(observer, difference, task);
