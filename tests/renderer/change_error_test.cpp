@@ -12,7 +12,7 @@ namespace {
 
 constexpr int width = 160, height = 120;
 constexpr float grey = 0.3F;
-constexpr double slope = 0.8906;  // of the sRGB curve there
+constexpr double curve_slope = 0.8906;  // of the sRGB curve there
 
 /// A grey picture whose two halves have `noise` from one stream of numbers, and `more` from another.
 HalfPictures noisy(float radiance, double noise, double more, std::uint64_t own_seed, int rows = height) {
@@ -51,7 +51,7 @@ TEST(ChangeError, FindsNoiseThatIsNewInEachPicture) {
     const ErrorMap before = map_of(noisy(grey, 0.02, more, 1)), now = map_of(noisy(grey, 0.02, more, 2));
     // A mean of two halves has more / sqrt(2), and the change of two such means sqrt(2) times that.
     const double rounding = 2 * rounding_square;
-    EXPECT_NEAR(std::sqrt(change_error(before, now) - rounding), slope * more, 0.03 * more);
+    EXPECT_NEAR(std::sqrt(change_error(before, now) - rounding), curve_slope * more, 0.03 * more);
   }
 }
 
@@ -59,7 +59,7 @@ TEST(ChangeError, FindsWhatAFilterChangesFromPictureToPicture) {
   HalfPictures before = noisy(grey, 0.02, 0, 1), now = before;
   for (Image& half : now.sampled)
     for (float& value : half.values) value += 0.01F;
-  EXPECT_NEAR(std::sqrt(change_error(map_of(before), map_of(now))), slope * 0.01, 3e-4);
+  EXPECT_NEAR(std::sqrt(change_error(map_of(before), map_of(now))), curve_slope * 0.01, 3e-4);
   for (Image& half : before.sampled)
     for (float& value : half.values) value += 0.01F;
   EXPECT_EQ(change_error(map_of(before), map_of(now)), 0) << "the same bias in both does not flicker";
@@ -69,7 +69,7 @@ TEST(ChangeError, OfLargePicturesSomeRowsAreLookedAt) {
   const ErrorMap before = map_of(noisy(grey, 0, 0.02, 1, 1080)), now = map_of(noisy(grey, 0, 0.02, 2, 1080));
   EXPECT_EQ(now.rows.size(), 270U);
   EXPECT_EQ(now.rounded_by.size(), 270U * width * 3);
-  EXPECT_NEAR(std::sqrt(change_error(before, now) - 2 * rounding_square), slope * 0.02, 0.0006);
+  EXPECT_NEAR(std::sqrt(change_error(before, now) - 2 * rounding_square), curve_slope * 0.02, 0.0006);
 }
 
 }  // namespace
