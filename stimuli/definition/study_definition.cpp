@@ -132,6 +132,10 @@ std::string canonical_text(const StudyDefinition& study) {
          shown_text(study) + varied_text(study) + canonical_text(study.task.get());
 }
 
+int objects_of(const StudyDefinition& study) {
+  return facts_of(study.task.get()).objects;
+}
+
 std::string study_hash(const StudyDefinition& study) {
   return sha256(canonical_text(study));
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "pages.h"
 #include "stimuli/study_file/study_file.h"
@@ -77,8 +78,8 @@ void put_table(std::vector<StudyTable>& study, const StudyTable& piece) {
   study.insert(place, piece);
 }
 
-/// The paper's widths and a form; for depth that is no panorama another level; for people of a panel
-/// attention trials.
+/// As many objects as the piece says; the paper's widths and a form; for depth that is no panorama another
+/// level; for people of a panel attention trials.
 std::vector<StudyTable> study_for(const std::string& piece) {
   const bool has_source = piece.find("\nsource = ") != std::string::npos;
   const bool has_level = piece.find("[level]") != std::string::npos;
@@ -92,8 +93,13 @@ std::vector<StudyTable> study_for(const std::string& piece) {
       "\"male\", \"other\"]\n"
       "[[scene]]\nname = \"room\"\nfile = \"builtin:gazebo\"\n"
       "artifacts = [\"receiver\", \"shadow\", \"occlusion\", \"overlap\"]\n";
-  for (const char* name : {"statue", "beast", "teapot"})
-    text += std::string("[[scene.object]]\nname = \"") + name + "\"\nfile = \"builtin:" + name + "\"\n";
+  constexpr std::array<const char*, 8> names = {"statue", "beast",  "teapot", "second",
+                                                "third",  "fourth", "fifth",  "sixth"};
+  const std::size_t stated = piece.find("\nobjects = ");
+  const std::size_t objects = stated == std::string::npos ? 3 : std::stoul(piece.substr(stated + 11));
+  for (std::size_t i = 0; i < objects; ++i)
+    text += std::string("[[scene.object]]\nname = \"") + names.at(i) +
+            "\"\nfile = \"builtin:" + names.at(i < 3 ? i : 0) + "\"\n";
   return tables_of_study(text);
 }
 

@@ -5,7 +5,6 @@
 #include <array>
 
 #include "stimuli/definition/parts/staircase_definition.h"
-#include "stimuli/definition/study_definition.h"
 
 namespace seamline::inline stimuli {
 
@@ -64,10 +63,6 @@ TaskFacts facts_of(const TaskDefinition* task) {
   TaskFacts facts = facts_by_kind(task);
   facts.objects = task->objects;
   return facts;
-}
-
-int objects_of(const StudyDefinition& study) {
-  return facts_of(study.task.get()).objects;
 }
 
 std::string number_word(int number) {
