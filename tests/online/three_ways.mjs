@@ -1,5 +1,5 @@
 // Each task by the same people three ways: in the window (keys on a virtual screen), in a browser at `serve`, and on a page without
-// a server whose saved files are imported. `thresholds.json` of the three logs is the same, byte for byte.
+// a server whose saved files are imported. `thresholds.json` of the three logs is the same, byte for byte but for people's names.
 //   run PROGRAM WORK three_ways [TASK...]
 import assert from "node:assert/strict";
 import { execFileSync, spawn } from "node:child_process";
@@ -44,7 +44,7 @@ depth_width_px = [${LEVELS}]
 participant_form = false
 [session]
 orders = 1
-break_every_trials = 0
+break_every_trials = 1000
 inter_trial_s = 0.05
 ${catches}${name === "match" ? "" : "[training]\ntrials = 0\n"}[consent]
 text = "Small pictures."
@@ -174,9 +174,14 @@ async function inBrowser(address, deed, end = async () => {}) {
   }
 }
 
+/** Ways give people different names: here they are "1", "2", ... in the order in which they took part. */
 const thresholdsOf = (log, out) => {
   run("analyze", log, "--out", out, "--bootstrap", "100");
-  return readFileSync(join(out, "thresholds.json"), "utf8");
+  const names = [];
+  return readFileSync(join(out, "thresholds.json"), "utf8").replace(/("participant": )"([^"]*)"/g, (all, key, name) => {
+    if (!names.includes(name)) names.push(name);
+    return `${key}"${names.indexOf(name) + 1}"`;
+  });
 };
 
 const wanted = process.argv.slice(2);

@@ -52,7 +52,8 @@ TEST(Install, EveryPartIsWhereOtherSoftwareHasIt) {
         "share/doc/seamline/README.md", "share/doc/seamline/LICENSE", "share/doc/seamline/CHANGELOG.md",
         "share/doc/seamline/documentation/reference/study_file.md",
         "share/doc/seamline/documentation/pictures/readme.png", "share/man/man1/seamline.1.gz",
-        "share/man/man1/seamline-render.1.gz", "share/doc/seamline/changelog.gz", "share/bash-completion/completions/seamline"})
+        "share/man/man1/seamline-render.1.gz", "share/doc/seamline/changelog.gz",
+        "share/bash-completion/completions/seamline"})
     EXPECT_TRUE(fs::is_regular_file(prefix / part)) << part;
   std::set<std::string> in_stimuli;  // no sources
   for (const auto& entry : fs::directory_iterator(prefix / "share/seamline/stimuli"))
