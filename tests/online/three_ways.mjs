@@ -81,9 +81,9 @@ function chance(person, trial, question) {
 
 /** What a person does in a trial: sees the coarse levels more often than the fine ones. */
 function deedOf(kind, alternatives, trial, person, at) {
+  if (kind === "match") return { steps: Math.floor(chance(person, at, 3) * 7) - 3 };
   const seen = trial.kind === "stimulus" && chance(person, at, 1) < { 64: 0.95, 128: 0.75, 256: 0.4, 512: 0.15 }[trial.level];
   const rating = 1 + Math.floor(chance(person, at, 2) * 4);
-  if (kind === "match") return { steps: Math.floor(chance(person, at, 3) * 7) - 3 };
   if (kind === "rating") return { rating: seen ? 1 + rating : 1 };
   if (kind === "yes_no") return { choice: seen || chance(person, at, 4) < 0.1 ? 1 : 2 };
   const guess = 1 + Math.floor(chance(person, at, 5) * alternatives);
@@ -132,7 +132,7 @@ async function inWindow({ display }, set, log, folder, person, deed) {
       if (["instructions", "ready", "break"].includes(line.screen)) press("Return");
       if (!["choosing", "rating"].includes(line.phase) || done.has(line.trial + line.phase)) continue;
       done.add(line.trial + line.phase);
-      await rest(30);
+      await rest(120);
       press(...keysOf(deed(line.trial), line.phase));
     }
     press("Return");
