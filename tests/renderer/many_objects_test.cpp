@@ -45,19 +45,19 @@ class SeveralObjects : public testing::TestWithParam<int> {};
 TEST_P(SeveralObjects, AWorldIsTheSceneWithoutItsObject) {
   const int objects = GetParam();
   const SceneSums together = sampled(balls(objects), 4);
-  EXPECT_EQ(together.halves[0].size(), 64U * 36U * together.groups);
+  EXPECT_EQ(together.halves[0].size(), std::size_t{64} * 36 * together.groups);
   for (int k = 1; k <= objects; ++k) {
     const SceneSums alone = sampled(balls(objects, k), 4);
     std::size_t others = 0;
     for (std::size_t half = 0; half < 2; ++half)
-      for (std::size_t pixel = 0; pixel < 64U * 36U; ++pixel) {
+      for (std::size_t pixel = 0; pixel < std::size_t{64} * 36; ++pixel) {
         const Rgb here = together.seen(half, pixel, static_cast<std::size_t>(k)).total();
         const Rgb there = alone.seen(half, pixel, 0).total();
         EXPECT_EQ(together.surfaces(half, pixel, static_cast<std::size_t>(k)),
                   alone.surfaces(half, pixel, 0));
         others += here.isApprox(there, 1e-3F) ? 0 : 1;
       }
-    EXPECT_LT(others, 64U * 36U * 2U / 500U) << k << " of " << objects;  // rays along edges
+    EXPECT_LT(others, std::size_t{64} * 36 * 2U / 500U) << k << " of " << objects;  // rays along edges
   }
 }
 

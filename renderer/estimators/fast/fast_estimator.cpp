@@ -133,7 +133,8 @@ class FastEstimator : public SceneEstimator {
       for (std::size_t t = 0; t < object.size(); ++t)
         if (object[t])  // a byte a sample
           for (const int block : blocks_of(sums_.grid, static_cast<int>(t)))
-            all.order_bytes += sums_.blocks().pixels(block) * sums_.spp[static_cast<std::size_t>(block)];
+            all.order_bytes +=
+                std::int64_t{sums_.blocks().pixels(block)} * sums_.spp[static_cast<std::size_t>(block)];
     return all;
   }
 
