@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <exception>
@@ -132,26 +133,16 @@ CsvTable outcomes_table(const std::vector<CaseOutcome>& outcomes) {
 
 std::string outcomes_markdown(const std::vector<CaseOutcome>& outcomes) {
   std::string text;
-  for (std::size_t first = 0; first < outcomes.size();) {
-    const std::string& group = outcomes[first].of.group;
-    CsvTable table{.name = group,
-                   .columns = {{"case", "", ""},
-                               {"tried", "", ""},
-                               {"expected", "", ""},
-                               {"found", "", ""},
-                               {"error", "", ""},
-                               {"tolerance", "", ""},
-                               {"unit", "", ""},
-                               {"where the tolerance comes from", "", ""},
-                               {"verdict", "", ""}},
-                   .rows = {}};
-    std::size_t next = first;
-    for (; next < outcomes.size() && outcomes[next].of.group == group; ++next) {
-      const CaseOutcome& outcome = outcomes[next];
-      table.rows.push_back({"`" + outcome.of.name + "`", outcome.of.tried, outcome.of.expected,
-                            outcome.finding.found, number(outcome.finding.error),
-                            number(outcome.of.tolerance), outcome.of.unit, outcome.of.reason,
-                            std::string(outcome.passed ? "pass" : "FAIL")});
+  for (auto first = outcomes.begin(); first != outcomes.end();) {
+    const std::string& group = first->of.group;
+    const auto next =
+        std::find_if(first, outcomes.end(), [&](const CaseOutcome& one) { return one.of.group != group; });
+    CsvTable table = outcomes_table({first, next});
+    table.columns.erase(table.columns.begin());  // the group is the heading
+    for (CsvColumn& column : table.columns) std::replace(column.name.begin(), column.name.end(), '_', ' ');
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+      table.rows[i].erase(table.rows[i].begin());
+      table.rows[i].front() = "`" + (first + static_cast<std::ptrdiff_t>(i))->of.name + "`";
     }
     text += "### " + group + "\n\n" + markdown_table(table) + "\n";
     first = next;

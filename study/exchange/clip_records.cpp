@@ -4,12 +4,9 @@
 #include <charconv>
 #include <map>
 #include <string_view>
-#include <utility>
 
 #include "stimuli/study_file/moving/study_file_late_frames.h"
-#include "study/log/log_database.h"
-#include "study/log/log_values.h"
-#include "support/text/printable.h"
+#include "study/exchange/trial_events.h"
 
 namespace seamline::study {
 namespace {
@@ -27,27 +24,15 @@ bool take_count(std::string_view& text, std::string_view word, int& count) {
   return true;
 }
 
-/// By participant and trial; of a trial that was shown twice in one session, as it was shown last.
-using CountsOfTrials = std::map<std::pair<std::string, int>, ClipCounts>;
-
-CountsOfTrials counts_in(SQLite::Database& database, const std::filesystem::path& file) {
-  SQLite::Statement row(database, R"sql(
-      SELECT participants.code, events.trial_index, events.detail
-      FROM events JOIN sessions USING (session) JOIN participants USING (participant)
-      JOIN answers ON answers.session = events.session AND answers.trial_index = events.trial_index
-      WHERE events.kind = 'clip' AND events.detail NOT LIKE 'practice %' ORDER BY events.event)sql");
-  const LogValues values(row, file, "events");
-  CountsOfTrials counts;
-  while (row.executeStep()) {
-    const std::string text = row.getColumn(2).getString();
-    const std::optional<ClipCounts> read = clip_counts_of(text);
-    if (!read)
-      throw input_error({.file = file.string(),
-                         .field = "events.detail",
-                         .wanted = "counts as \"shown 48 late 0 dropped 0\" in an event \"clip\"",
-                         .found = "\"" + printable(text, 40) + "\""});
-    counts[{values.code(0), values.number(1, 0)}] = *read;
-  }
+/// Of a trial that was shown twice in one session, as it was shown last.
+std::map<TrialOfPerson, ClipCounts> counts_in(const LogContents& log) {
+  std::map<TrialOfPerson, ClipCounts> counts;
+  read_trial_events(log, "clip", "counts as \"shown 48 late 0 dropped 0\"",
+                    [&](const TrialOfPerson& trial, const std::string& detail) {
+                      const std::optional<ClipCounts> read = clip_counts_of(detail);
+                      if (read) counts[trial] = *read;
+                      return read.has_value();
+                    });
   return counts;
 }
 
@@ -75,10 +60,7 @@ std::optional<ClipCounts> clip_counts_of(const std::string& detail) {
 std::vector<std::optional<ClipCounts>> read_clip_counts(const LogContents& log) {
   if (log.study_text.find("clip") == std::string::npos) return {};
   if (!read_late_frames_text(log.study_text, log.file)) return {};
-  const CountsOfTrials counts = with_log_errors(log.file, [&] {
-    SQLite::Database database = open_log_database(log.file, LogAccess::read);
-    return counts_in(database, log.file);
-  });
+  const std::map<TrialOfPerson, ClipCounts> counts = counts_in(log);
   std::vector<std::optional<ClipCounts>> of_answers;
   of_answers.reserve(log.answers.size());
   for (const Answer& answer : log.answers) {
