@@ -6,8 +6,6 @@
 #include <fstream>
 
 #include "composites/composite_request.h"
-#include "composites/objects/objects_file.h"
-#include "composites/seamless_width.h"
 #include "renderer/depth/depth_map.h"
 #include "sensors/frame/depth_frame.h"
 #include "support/files/assets.h"
@@ -319,69 +317,6 @@ TEST_F(MakeComposite, SaysWhatAPhotographHasLost) {
   EXPECT_EQ(said_of(folder_ / "panorama.exr"), "");
   write_png(folder_ / "codes.png", display_image(clipped));
   EXPECT_THAT(said_of(folder_ / "codes.png"), AllOf(HasSubstr("sRGB"), HasSubstr("3.1 %")));
-}
-
-TEST(ObjectsFile, IsReadAsItWasWrittenAndRefusesWhatItDoesNotKnow) {
-  const fs::path path = fs::path(SEAMLINE_TEST_OUTPUT) / "objects.toml";
-  PlacedModel model;
-  model.file = "builtin:lion";
-  model.position_m = {0.25, -1, -3.5};
-  model.rotation_deg = {0, 30, 0};
-  model.height_m = 0.75;
-  model.stands = true;
-  model.roughness = 0.25;
-  const ObjectsFile read = parse_objects_file(objects_file_text({model}), path, {});
-  ASSERT_EQ(read.objects.size(), 1U);
-  EXPECT_EQ(objects_file_text(read.objects), objects_file_text({model}));
-  EXPECT_FALSE(read.has_light);
-  const auto said = [&](const std::string& text) {
-    return complaint_of([&] { static_cast<void>(parse_objects_file(text, path, {})); });
-  };
-  const std::string object = "[[object]]\nfile = \"builtin:lion\"\nposition_m = [0, 0, -3]\n";
-  EXPECT_EQ(said(object), "no complaint");
-  EXPECT_THAT(said(object + "hight_m = 1\n"), AllOf(HasSubstr("object[0].hight_m"), HasSubstr("height_m")));
-  EXPECT_THAT(said(object + "height_m = 1\nscale = 2\n"), HasSubstr("not both"));
-  EXPECT_THAT(said(object + "materials = \"diffuse\"\nroughness = 0.2\n"), HasSubstr("roughness"));
-  const auto unplaced = parse_objects_file("[[object]]\nfile = \"builtin:lion\"\n", path, {});
-  EXPECT_FALSE(unplaced.objects.at(0).has_place);
-  EXPECT_TRUE(unplaced.objects.at(0).stands);
-  EXPECT_THAT(said("[[object]]\nfile = \"none.glb\"\nposition_m = [0, 0, 0]\n"), HasSubstr("none.glb"));
-  EXPECT_THAT(said(""), HasSubstr("[[object]]"));
-  EXPECT_THAT(said("albedo = 0.3\n" + object), HasSubstr("--albedo"));
-  const ObjectsFile lit =
-      parse_objects_file("suns = [{ to_sun = [0, 1, 0], irradiance_w_m2 = [1, 1, 1] }]\n" + object, path, {});
-  EXPECT_TRUE(lit.has_light);
-  EXPECT_EQ(lit.light.suns->size(), 1U);
-}
-
-TEST(SeamThresholds, AreReadFromAReport) {
-  const fs::path path = fs::path(SEAMLINE_TEST_OUTPUT) / "thresholds.json";
-  const auto read = [&](const std::string& text, const std::string& condition = "") {
-    write_file_atomically(path, text);
-    return read_thresholds(path, condition);
-  };
-  const std::string artifacts =
-      R"("artifacts":[{"artifact":"receiver","perceptual_threshold_px":{"estimate":300.5,"reason":null},)"
-      R"("slightly_noticeable_px":{"estimate":null,"reason":"below at every width"},"curve":[{"width_px":64}]},)"
-      R"({"artifact":"occlusion","perceptual_threshold_px":{"estimate":null,"reason":"above at every width"},)"
-      R"("slightly_noticeable_px":{"estimate":900}}])";
-  const auto found = read(R"({"format":"seamline thresholds","version":1,)" + artifacts + "}");
-  ASSERT_EQ(found.size(), 2U);
-  EXPECT_EQ(found[0].perceptual_px, 300.5);
-  EXPECT_EQ(found[0].slightly_px, 64);
-  EXPECT_FALSE(found[1].perceptual_px.has_value());
-  EXPECT_EQ(seamless_width({.receiver = true}, found).width_px, 302);
-  EXPECT_EQ(seamless_width({.occlusion = true}, found).width_px, 900);
-  const auto said = [&](const std::string& text, const std::string& condition = "") {
-    return complaint_of([&] { static_cast<void>(read(text, condition)); });
-  };
-  EXPECT_THAT(said("{}"), HasSubstr("thresholds.json"));
-  EXPECT_THAT(said("[1"), HasSubstr("another kind of file"));
-  const std::string conditions =
-      R"({"format":"seamline thresholds","conditions":["soft","hard"],)" + artifacts + "}";
-  EXPECT_THAT(said(conditions), HasSubstr("one of soft, hard"));
-  EXPECT_THAT(said(R"({"format":"seamline thresholds","level":{},)" + artifacts + "}"),
-              HasSubstr("depth widths"));
 }
 
 TEST(Upright, TurnsAsTheOrientationSays) {
