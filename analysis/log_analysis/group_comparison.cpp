@@ -135,7 +135,7 @@ std::vector<std::string> keep_large(Grouping& grouping, const std::vector<int>& 
 
 /// With fewer people in a group the errors of several curves, each estimated from few, leave the joint t
 /// distribution too many false differences: 6.8 % of studies of 8 + 8 people, 4.0 % by Holm
-/// (documentation/evidence/false_alarms.md).
+/// (documentation/evidence/coverage.md).
 constexpr std::ptrdiff_t fewest_single_step = 20;
 
 std::ptrdiff_t smallest_group(const std::vector<int>& group_of, int groups) {

@@ -58,6 +58,22 @@ EvidenceTable coverage_by_population() {
   return table;
 }
 
+/// Studies of 20 people in which nothing differs, that say "differs": over all populations.
+EvidenceTable false_alarms() {
+  const auto of = [](const char* heading, const char* way, Summary shows) {
+    return SummaryColumn{
+        .heading = heading, .of = "false_percent", .where = {{"way", way}}, .shows = shows, .decimals = 1};
+  };
+  return {.file = "false_alarms.csv",
+          .from = {{"", "true_sentences.csv"}},
+          .heading = "sentence about",
+          .row_of = {"family"},
+          .columns = {of("joint model, %", "joint", Summary::mean),
+                      of("worst population, %", "joint", Summary::highest),
+                      of("ordinal model, %", "ordinal", Summary::mean)},
+          .where = {{"people", "20"}}};
+}
+
 /// As `CoverageTally::print` writes them.
 const std::vector<std::string> tally_columns = {
     "population",      "artifact",       "quantity",
@@ -116,7 +132,8 @@ EvidencePage coverage_page() {
                       .row_of = {"task"},
                       .columns = {{.heading = "people", .of = "people"},
                                   {.heading = "intervals that hold, %", .of = "holds_percent"},
-                                  {.heading = "error, octaves", .of = "error_octaves"}}}}};
+                                  {.heading = "error, octaves", .of = "error_octaves"}}},
+                     false_alarms()}};
 }
 
 EvidencePage replication_page() {

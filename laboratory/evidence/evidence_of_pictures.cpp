@@ -125,19 +125,42 @@ EvidencePage convergence_page() {
   return page;
 }
 
+namespace {
+
+/// PT and SN of every curve of the ready studies, by people who know where to look and by people who search.
+EvidenceTable thresholds_of_studies() {
+  EvidenceTable table{.file = "by_study.csv",
+                      .from = {{"", "studies.csv"}},
+                      .heading = "study, condition, artifact",
+                      .row_of = {"study", "condition", "artifact"},
+                      .columns = {}};
+  for (const auto& [people, heading] :
+       {std::pair{"know", "who know where"}, std::pair{"search", "who search"}})
+    for (const char* quantity : {"PT", "SN"})
+      table.columns.push_back({.heading = std::string(quantity) + " of people " + heading,
+                               .of = quantity,
+                               .where = {{"people", people}}});
+  return table;
+}
+
+}  // namespace
+
 EvidencePage predictions_page() {
   return {
       .name = "predictions",
-      .shows = "the order in which artifacts are predicted to be seen",
-      .takes = "10 minutes",
-      .needs = "",
+      .shows = "the order in which artifacts are predicted to be seen, and thresholds of the ready studies",
+      .takes = "an hour",
+      .needs = "for the ready studies the source and Python",
       .steps = {{"render", "seamline render stimuli/depth_resolution_isolated.toml --error 0.0039 --out set",
                  Printed::progress},
                 {"calibrated", "seamline predict set --calibrate"},
-                {"published_gain", "seamline predict set"}},
+                {"published_gain", "seamline predict set"},
+                {"studies", "benchmarks/predictions SEAMLINE studies --csv studies.csv", Printed::progress}},
       .small_steps = {{"render", "seamline render stimuli/quick.toml --only *-lion-* --spp 1 --out set",
                        Printed::progress},
-                      {"published_gain", "seamline predict set"}}};
+                      {"published_gain", "seamline predict set"}},
+      .shown = {"studies.csv"},
+      .tables = {thresholds_of_studies()}};
 }
 
 namespace {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "laboratory/evidence/evidence_of_answers.h"
+#include "laboratory/evidence/evidence_of_designs.h"
 #include "laboratory/evidence/evidence_of_pictures.h"
 #include "support/text/error.h"
 #include "support/text/suggest.h"
@@ -116,9 +117,10 @@ EvidencePage scale_page() {
 
 std::span<const EvidencePage> evidence_pages() {
   static const std::vector<EvidencePage> pages = {
-      convergence_page(), coverage_page(), replication_page(), joint_model_page(), statistics_page(),
-      stability_page(),   speed_page(),    predictions_page(), real_time_page(),   true_errors_page(),
-      faults_page(),      growth_page(),   scale_page()};
+      convergence_page(), coverage_page(),    replication_page(),   joint_model_page(),
+      statistics_page(),  stability_page(),   speed_page(),         predictions_page(),
+      real_time_page(),   true_errors_page(), faults_page(),        growth_page(),
+      scale_page(),       planning_page(),    depth_cameras_page(), pictures_page()};
   return pages;
 }
 

@@ -23,7 +23,7 @@ std::string shown_table(const std::string& name, const fs::path& file) {
 
 std::string shown_file(const std::string& name, const fs::path& folder) {
   const fs::path file = folder / name;
-  if (name.ends_with(".svg")) return fmt::format("![{0}]({0})\n\n", name);
+  if (name.ends_with(".svg") || name.ends_with(".png")) return fmt::format("![{0}]({0})\n\n", name);
   if (name.ends_with(".csv")) return shown_table(name, file);
   return read_file(file) + "\n";
 }

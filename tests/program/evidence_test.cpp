@@ -101,8 +101,9 @@ std::vector<std::string> suites_of(const std::string& command) {
 
 TEST(Evidence, EveryTestThatAStepNamesIsThere) {
   std::string tests;
-  for (const auto& entry : fs::directory_iterator(fs::path(SEAMLINE_SOURCE_DIR) / "tests/analysis"))
-    if (entry.path().extension() == ".cpp") tests += read_text(entry.path());
+  for (const char* folder : {"tests/analysis", "tests/study"})
+    for (const auto& entry : fs::directory_iterator(fs::path(SEAMLINE_SOURCE_DIR) / folder))
+      if (entry.path().extension() == ".cpp") tests += read_text(entry.path());
   for (const laboratory::EvidencePage& page : laboratory::evidence_pages())
     for (const auto* steps : {&page.steps, &page.small_steps})
       for (const laboratory::EvidenceStep& step : *steps)
@@ -132,6 +133,16 @@ TEST(SmallForms, OfTrueErrorsEnds) {
 }
 TEST(SmallForms, OfGrowthEnds) {
   expect_small_form("growth");
+}
+
+TEST(SmallForms, OfPlanningEnds) {
+  expect_small_form("planning");
+}
+TEST(SmallForms, OfDepthCamerasEnds) {
+  expect_small_form("depth_cameras");
+}
+TEST(SmallForms, OfPicturesEnds) {
+  expect_small_form("pictures");
 }
 
 TEST(Evidence, APageThatIsNotThereIsNamed) {

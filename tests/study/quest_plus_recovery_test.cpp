@@ -103,11 +103,15 @@ void compare(const Task& task, const Answering& answer, int people, const char* 
   const Errors quest = simulate(task, answer, adaptive, people);
   const Errors constant = simulate(task, answer, constant_placement(task.width_px.size()), people);
   const int needed = quest.trials_to(constant.rms[most_trials]);
-  std::printf(
-      "%s, 7 widths: rms error (octaves) after 14, 28, 42, 84 trials: constant %.3f %.3f %.3f %.3f, QUEST+ "
-      "%.3f %.3f %.3f %.3f; QUEST+ has the error of 84 constant trials after %d; bias %.3f and %.3f\n",
-      what, constant.rms[14], constant.rms[28], constant.rms[42], constant.rms[84], quest.rms[14],
-      quest.rms[28], quest.rms[42], quest.rms[84], needed, constant.bias, quest.bias);
+  // A row of documentation/evidence/planning.md each: root mean square errors in octaves.
+  const auto print_row = [&](const char* way, const Errors& errors) {
+    std::printf("| %s | %s | %.2f | %.2f | %.2f | %.2f |\n", what, way, errors.rms[14], errors.rms[28],
+                errors.rms[42], errors.rms[84]);
+  };
+  print_row("constant", constant);
+  print_row("QUEST+", quest);
+  std::printf("QUEST+ has the error of 84 constant trials after %d; bias %.3f and %.3f\n", needed,
+              constant.bias, quest.bias);
   EXPECT_LT(needed * least_gain, most_trials);
   EXPECT_LT(quest.rms[28], constant.rms[28]);
   EXPECT_LT(quest.rms[most_trials], 0.35);
@@ -115,13 +119,13 @@ void compare(const Task& task, const Answering& answer, int people, const char* 
 }
 
 TEST(QuestPlusRecovery, FindsThePlantedThresholdInFewerTrialsThanConstantStimuli) {
-  compare(make_task(PlacementOutcome::correct), answer_of_observer, 300, "threshold observer, right or wrong",
+  compare(make_task(PlacementOutcome::correct), answer_of_observer, 300, "right or wrong, threshold observer",
           1.5);
 }
 
 TEST(QuestPlusRecovery, DoesSoWithNoticeability) {
-  compare(make_task(PlacementOutcome::noticeability), answer_of_model, 100, "model, noticeability 0 to 4",
-          1.2);
+  compare(make_task(PlacementOutcome::noticeability), answer_of_model, 100,
+          "noticeability, people of the model", 1.2);
 }
 
 TEST(QuestPlusRecovery, ChoicesAreDeterministic) {
