@@ -44,6 +44,14 @@ Image compose_view(const View& view, const Image& all_eyes) {
   return all_eyes;
 }
 
+Image shown_to_each_eye(const View& view, Image all_eyes) {
+  if (view.kind != ViewKind::anaglyph && view.kind != ViewKind::interleaved) return all_eyes;
+  const Image shown = compose_view(view, all_eyes);
+  for (int y = 0; y < all_eyes.height_px; ++y)
+    for (int x = 0; x < all_eyes.width_px; ++x) all_eyes.set_rgb(x, y, shown.rgb(x % shown.width_px, y));
+  return all_eyes;
+}
+
 ByteImage shown_bytes(const View& view, const Image& picture, double exposure_ev, const Image& planar_m) {
   ByteImage bytes = display_image(picture, exposure_ev);
   if (view.kind != ViewKind::depth_image) return bytes;

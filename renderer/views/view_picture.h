@@ -9,6 +9,11 @@ namespace seamline::renderer {
 /// picture without its depth.
 [[nodiscard]] Image compose_view(const View& view, const Image& all_eyes);
 
+/// The picture of a view's camera with what people are shown in place of each eye's picture, where one
+/// picture shows all eyes: it is repeated for each, so that an error of it has its place in the camera's
+/// picture.
+[[nodiscard]] Image shown_to_each_eye(const View& view, Image all_eyes);
+
 /// The bytes that people are shown of what `compose_view` made, with the codes of depth beside a depth image,
 /// which has `planar_m`. Other kinds look at no depth.
 [[nodiscard]] ByteImage shown_bytes(const View& view, const Image& picture, double exposure_ev,

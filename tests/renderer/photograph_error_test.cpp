@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "renderer/views/view_picture.h"
+
 namespace seamline::renderer {
 namespace {
 
@@ -25,7 +27,7 @@ TruthSums grey(float without, float with) {
 }
 
 double noise_of(float without, float with) {
-  const PhotographHalves halves = photograph_halves(grey(without, with));
+  const PhotographHalves halves = photograph_halves(grey(without, with), {});
   return photograph_error(halves, halves, 0, 1, false).image.noise;
 }
 
@@ -39,12 +41,30 @@ TEST(PhotographError, IsThatOfThePictureWhereTheObjectChangesLittle) {
 }
 
 TEST(PhotographError, OfBlocksTilesAndImageIsOne) {
-  const PhotographHalves halves = photograph_halves(grey(0.5F, 0));
+  const PhotographHalves halves = photograph_halves(grey(0.5F, 0), {});
   const ErrorEstimate error = photograph_error(halves, halves, 0, 1, false);
   ASSERT_EQ(error.tiles.size(), 1U);
   ASSERT_EQ(error.blocks.size(), 4U);
   EXPECT_NEAR(error.tiles[0].noise, error.image.noise, 1e-12);
   EXPECT_NEAR(error.blocks[0].noise, 4 * error.image.noise, 1e-12);
+}
+
+TEST(PhotographError, OfAnAnaglyphIsThatOfThePictureThatIsSeen) {
+  // A speck in the left eye only, in a picture of two eyes of 16 columns each.
+  const TruthSums sums = grey(0.3F, 0.3F);
+  const View view{.kind = ViewKind::anaglyph};
+  const PhotographHalves halves = photograph_halves(sums, view);
+  std::array<Image, 2> mixed;
+  for (std::size_t half = 0; half < 2; ++half)
+    mixed[half] = compose_view(view, half_reference_image(sums, half));
+  const double of_mixed = estimate_error({mixed, mixed, {}}, 0, 1).image.noise;
+  const ErrorEstimate error = photograph_error(halves, halves, 0, 1, false);
+  EXPECT_GT(of_mixed, 0);
+  EXPECT_NEAR(error.image.noise, of_mixed, 1e-6 * of_mixed);
+  EXPECT_NE(error.image.noise, noise_of(0.3F, 0.3F));
+  // Both eyes' blocks at that place are to have more samples.
+  EXPECT_GT(error.blocks[0].noise, 0);
+  EXPECT_NEAR(error.blocks[1].noise, error.blocks[0].noise, 1e-12);
 }
 
 }  // namespace

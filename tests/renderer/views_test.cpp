@@ -230,6 +230,24 @@ TEST(Anaglyph, EachEyeHasItsOwnColours) {
   EXPECT_TRUE((anaglyph(AnaglyphMatrix::colour, all_eyes).rgb(0, 0) == Rgb(0, 0.25F, 0.125F)).all());
 }
 
+TEST(ShownToEachEye, RepeatsThePictureThatShowsAllEyes) {
+  const Image all_eyes = noise(24, 10, 7);
+  const View two = {.kind = ViewKind::anaglyph};
+  for (const View& view : {two, eyes_of(3, 0.06, 2)}) {
+    const Image shown = compose_view(view, all_eyes), each = shown_to_each_eye(view, all_eyes);
+    ASSERT_EQ(each.width_px, all_eyes.width_px);
+    for (int y = 0; y < each.height_px; ++y)
+      for (int x = 0; x < each.width_px; ++x)
+        EXPECT_TRUE((each.rgb(x, y) == shown.rgb(x % shown.width_px, y)).all()) << x << " " << y;
+  }
+}
+
+TEST(ShownToEachEye, IsThePictureItselfWhereEyesStandApart) {
+  const Image all_eyes = noise(24, 10, 7);
+  for (const ViewKind kind : {ViewKind::mono, ViewKind::side_by_side, ViewKind::depth_image})
+    EXPECT_EQ(shown_to_each_eye({.kind = kind}, all_eyes).values, all_eyes.values);
+}
+
 TEST(DepthImage, KeepsDepthToHalfAStep) {
   Image depth_m(400, 1, 1);
   for (int x = 0; x < 400; ++x) depth_m.at(x, 0) = 0.01F + 0.02F * static_cast<float>(x);

@@ -162,7 +162,7 @@ class FastEstimator : public SceneEstimator {
   void find_filtered(int object_index) {
     filtered_ = {};
     if (judged_.strength == 0) return;
-    filtered_ = photograph_halves(truth_).with_object;
+    filtered_ = photograph_halves(truth_, scene_.definition.view).with_object;
     const PhotographHalves sampled = photograph(object_index, no_filter);
     for (std::size_t half = 0; half < 2; ++half)
       for (std::size_t i = 0; i < filtered_[half].values.size(); ++i)
@@ -279,7 +279,7 @@ class FastEstimator : public SceneEstimator {
 
   /// The sums are gone when it returns.
   [[nodiscard]] PhotographHalves photograph(int object_index, const FilterStrength& strength) const {
-    return photograph_halves(truth_sums_of(object_index, strength));
+    return photograph_halves(truth_sums_of(object_index, strength), scene_.definition.view);
   }
 
   [[nodiscard]] TruthSums truth_sums_of(int object_index, const FilterStrength& strength) const {

@@ -1,12 +1,14 @@
 #include "renderer/estimators/fast/fast_stimulus.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "renderer/estimators/fast/next_round.h"
 #include "renderer/estimators/fast/object_noise.h"
 #include "renderer/estimators/fast/sample_response.h"
 #include "renderer/estimators/fast/stimulus_assembly.h"
 #include "renderer/picture/composite.h"
+#include "renderer/views/view_picture.h"
 
 namespace seamline::renderer {
 namespace {
@@ -309,8 +311,8 @@ class StimulusRounds {
   [[nodiscard]] Judged judge(const StimulusSums& made, bool look_for_bias, int round) {
     HalfPictures pictures;
     for (std::size_t half = 0; half < 2; ++half)
-      pictures.filtered[half] = compose_half(made, half, options_.threads).picture;
-    pictures.whole = compose(made, made.compositing, options_.threads).picture;
+      pictures.filtered[half] = as_shown(compose_half(made, half, options_.threads).picture);
+    pictures.whole = as_shown(compose(made, made.compositing, options_.threads).picture);
     const bool filtered = !depth_.guides.empty() || recipe_.answers.bounce == Who::depth;
     if (!filtered || !look_for_bias) {
       pictures.sampled = pictures.filtered;
@@ -325,13 +327,18 @@ class StimulusRounds {
       StimulusSums sampled = assembled(no_filters(), half);
       if (made.compositing == Compositing::ratio) divide_alike(made.halves[half], sampled.halves[half]);
       sampled.light_as_sampled[half] = made.light_as_sampled[half];
-      pictures.sampled[half] = compose_half(sampled, half, options_.threads).picture;
+      pictures.sampled[half] = as_shown(compose_half(sampled, half, options_.threads).picture);
     }
     keep(pictures);
     ErrorEstimate error = with_bias_of_truth(pictures);
     pictures.filtered = pictures.sampled;
     pictures.whole = {};  // nobody has put it together
     return {{std::move(error), with_bias_of_truth(pictures)}, true};
+  }
+
+  /// Errors are of what people see.
+  [[nodiscard]] Image as_shown(Image picture) const {
+    return shown_to_each_eye(truth_.scene.definition.view, std::move(picture));
   }
 
   void keep(const HalfPictures& pictures) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "renderer/views/view_picture.h"
+
 namespace seamline::renderer {
 namespace {
 
@@ -35,9 +37,13 @@ void raise_noise(const std::vector<SquaredError>& least, double share, const Til
 
 }  // namespace
 
-PhotographHalves photograph_halves(const TruthSums& truth) {
-  return {{half_reference_image(truth, 0), half_reference_image(truth, 1)},
-          {half_without_object(truth, 0), half_without_object(truth, 1)}};
+PhotographHalves photograph_halves(const TruthSums& truth, const View& view) {
+  PhotographHalves halves;
+  for (std::size_t half = 0; half < 2; ++half) {
+    halves.with_object[half] = shown_to_each_eye(view, half_reference_image(truth, half));
+    halves.without_object[half] = shown_to_each_eye(view, half_without_object(truth, half));
+  }
+  return halves;
 }
 
 ErrorEstimate photograph_error(const PhotographHalves& filtered, const PhotographHalves& sampled,

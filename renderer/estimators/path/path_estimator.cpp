@@ -5,6 +5,7 @@
 #include "renderer/estimators/estimator.h"
 #include "renderer/estimators/path/path_emission.h"
 #include "renderer/estimators/seen_emission.h"
+#include "renderer/views/view_picture.h"
 
 namespace seamline::renderer {
 namespace {
@@ -91,8 +92,9 @@ class PathEstimator : public SceneEstimator {
     if (out.sums.spp < 2) return out;
     HalfPictures pictures;
     for (std::size_t half = 0; half < 2; ++half)
-      pictures.filtered[half] = pictures.sampled[half] = compose_half(out.sums, half, threads_).picture;
-    pictures.whole = compose(out.sums, out.sums.compositing, threads_).picture;
+      pictures.filtered[half] = pictures.sampled[half] =
+          as_shown(compose_half(out.sums, half, threads_).picture);
+    pictures.whole = as_shown(compose(out.sums, out.sums.compositing, threads_).picture);
     const ErrorEstimate error =
         estimate_error(pictures, scene_.definition.exposure_ev, threads_, wraps(scene_.camera));
     out.rmse = error.rmse();
@@ -103,6 +105,11 @@ class PathEstimator : public SceneEstimator {
  private:
   [[nodiscard]] PassOptions pass(const ReportProgress& progress) const {
     return {.spp = *spp_, .seed = seed_, .threads = threads_, .progress = progress};
+  }
+
+  /// Errors are of what people see.
+  [[nodiscard]] Image as_shown(Image picture) const {
+    return shown_to_each_eye(scene_.definition.view, std::move(picture));
   }
 
   /// With an error to reach, doubles the samples of the first object's truth until its picture is good
@@ -117,7 +124,7 @@ class PathEstimator : public SceneEstimator {
       const TruthSums truth = render_truth(scene_, geometry, pass(progress), seen_.get());
       HalfPictures pictures;
       for (std::size_t half = 0; half < 2; ++half)
-        pictures.filtered[half] = pictures.sampled[half] = half_reference_image(truth, half);
+        pictures.filtered[half] = pictures.sampled[half] = as_shown(half_reference_image(truth, half));
       if (target.met_by(
               estimate_error(pictures, scene_.definition.exposure_ev, threads_, wraps(scene_.camera))))
         break;
