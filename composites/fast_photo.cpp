@@ -72,6 +72,14 @@ bool fast_can_render(const PhotoScene& scene) {
   return true;
 }
 
+std::shared_ptr<const SeenEmission> seen_objects(const PhotoScene& photo, const PhotoMeshes& meshes,
+                                                 int threads) {
+  if (photo.occlusion.test != nullptr) return nullptr;
+  TruthScene scene = scene_of(photo, meshes, 0, photo.light);
+  if (photo.occlusion.nothing_hides) scene.background.clear();
+  return find_seen_emission(scene, threads);
+}
+
 PhotoEstimate photo_by_fast(const PhotoScene& photo, const PhotoMeshes& meshes,
                             const std::optional<double>& error, double exposure_ev,
                             const PassOptions& options) {

@@ -17,6 +17,11 @@ struct PhotoMeshes {
 /// added with them, and the lens shows something everywhere.
 [[nodiscard]] bool fast_can_render(const PhotoScene& scene);
 
+/// What small objects that emit send straight to the camera, for paths. Null where there is none, and where a
+/// mask or looked-up depth decides who is in front.
+[[nodiscard]] std::shared_ptr<const SeenEmission> seen_objects(const PhotoScene& scene,
+                                                               const PhotoMeshes& meshes, int threads);
+
 /// By the fast estimator of studies: the photograph is given and without error, everything else is asked of
 /// the local scene as by the artifact `all`, or of the mask, test and matte in its place, a few samples first
 /// and more where the picture is not good enough, bounce light filtered. The error is estimated as in

@@ -148,9 +148,14 @@ Rendered render(const CompositeRequest& request, const PhotoScene& scene, const 
                            last = std::max(last, share);
                          }};
   const Stopwatch watch;
-  out.estimate = out.by == Estimator::fast
-                     ? photo_by_fast(scene, meshes, request.error, request.exposure_ev, pass)
-                     : photo_by_path(scene, request.error, request.exposure_ev, pass);
+  if (out.by == Estimator::fast) {
+    out.estimate = photo_by_fast(scene, meshes, request.error, request.exposure_ev, pass);
+  } else {
+    PhotoScene traced = scene;
+    const auto seen = seen_objects(scene, meshes, request.threads);
+    traced.seen = seen.get();
+    out.estimate = photo_by_path(traced, request.error, request.exposure_ev, pass);
+  }
   out.seconds = watch.seconds();
   return out;
 }

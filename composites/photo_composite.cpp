@@ -2,6 +2,7 @@
 
 #include "raytracer/common/parallel.h"
 #include "raytracer/error/sampling_rounds.h"
+#include "renderer/estimators/seen_emission.h"
 #include "support/running/interrupt.h"
 
 namespace seamline::renderer {
@@ -11,6 +12,7 @@ constexpr int first_spp = 16, most_spp = 1 << 14;  // where the error decides
 
 /// Where a sample of a pixel is in the picture, and its ray.
 struct Sight {
+  int x, y;  ///< the pixel
   MaskPlace place;
   Ray ray;
 };
@@ -19,7 +21,7 @@ Sight sight_of(const Camera& camera, int x, int y, const Eigen::Array2f& within)
   const Eigen::Array2f at(static_cast<float>(x) + within[0], static_cast<float>(y) + within[1]);
   const Eigen::Vector3f direction = camera.direction(at[0], at[1]);
   const Eigen::Array2f size(static_cast<float>(camera.width_px), static_cast<float>(camera.height_px));
-  return {{direction, at / size}, {Eigen::Vector3f::Zero(), direction}};
+  return {x, y, {direction, at / size}, {Eigen::Vector3f::Zero(), direction}};
 }
 
 /// The parts of a scene that samples ask for, made once.
@@ -44,7 +46,8 @@ class PhotoSampler {
       return;
     }
     const std::optional<SurfacePoint> real = scene_.depth.nearest(sight.ray);
-    if (const auto hit = seen_object(sight, real)) {
+    if (auto hit = seen_object(sight, real)) {
+      if (scene_.seen != nullptr) scene_.seen->even_out(sight.x, sight.y, hit->object_index, *hit);
       const bool shaded = !scene_.occlusion.nothing_hides;
       const RealQuestion question =
           shaded ? asked_of_mesh(&scene_.depth, real, *hit) : RealQuestion{&scene_.objects, &*hit};

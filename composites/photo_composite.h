@@ -7,6 +7,8 @@
 
 namespace seamline::renderer {
 
+class SeenEmission;
+
 /// Who is in front, in place of the depth mesh.
 struct Occlusion {
   const OcclusionTest* test = nullptr;  ///< null: the mesh decides, or nobody
@@ -26,6 +28,8 @@ struct PhotoScene {
   Occlusion occlusion = {};
   const Mask* shadow_matte = nullptr;  ///< where the suns do not reach; null: the local scene says it
   const Light* added = nullptr;        ///< exists only with the objects; null: none
+  const SeenEmission* seen =
+      nullptr;          ///< of small objects that emit (`seen_objects`); null: as it is sampled
   bool shadows = true;  ///< false: real surfaces keep the photograph's light, whatever the objects take
   Compositing compositing = Compositing::ratio;  ///< of the picture whose error is estimated
 };

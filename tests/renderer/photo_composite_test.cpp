@@ -8,6 +8,7 @@
 #include "composites/seamless_width.h"
 #include "renderer/depth/capture.h"
 #include "renderer/depth/depth_mesh.h"
+#include "renderer/estimators/seen_emission.h"
 #include "shapes.h"
 #include "support/arithmetic/random.h"
 
@@ -160,6 +161,43 @@ TEST_F(PhotoComposite, TheErrorThatIsAskedForIsReached) {
   const PhotoEstimate made = photo_by_path(scene(objects), 0.003, 0, {.threads = 2});
   EXPECT_LE(made.error.rmse(), 0.003);
   EXPECT_GT(made.sums.spp, 16);
+}
+
+TEST_F(PhotoComposite, PathsFindTheSmallLampOfAnObject) {
+  // It covers a hundredth of a pixel: most pictures of 64 samples a pixel meet it never, or once.
+  constexpr float half_size_m = 0.003F, radiance = 300;
+  light_ = {};
+  light_.bounces = 0;
+  const Meshes lamp = {
+      test::box({-0.2F, -0.4F, -4.5F}, {0.8F, 0.6F, -4.01F}, 0.0F, 1),
+      test::plane_shape(
+          {.centre_m = {0.313, 0.171, -4}, .v = Eigen::Vector3d::UnitY(), .half_size_m = half_size_m},
+          {.albedo = 0, .emission = radiance, .object_index = 1})};
+  const Geometry objects(lamp);
+  PhotoScene asked = scene(objects);
+  const PhotoMeshes meshes{surface_of_depth(mesh_, 0.5), lamp};
+  const auto light_of = [&](const PhotoScene& shown, std::uint64_t seed) {
+    const PhotoEstimate made = photo_by_path(shown, {}, 0, {.spp = 64, .seed = seed, .threads = 2});
+    double sum = 0;
+    for (const auto& half : made.sums.halves)
+      for (const StimulusPixel& pixel : half) sum += double{pixel.object[1]} / 64;
+    return sum;
+  };
+  const double pixels_a_metre = camera_.width_px / (2 * double{camera_.tan_half_horizontal} * 4);
+  const double expected = double{radiance} * std::pow(2 * double{half_size_m} * pixels_a_metre, 2);
+  const auto seen = seen_objects(asked, meshes, 2);
+  ASSERT_NE(seen, nullptr);
+  PhotoScene evened = asked;
+  evened.seen = seen.get();
+  double spread = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    spread += std::pow(light_of(asked, seed) / expected - 1, 2) / 8;
+    EXPECT_NEAR(light_of(evened, seed) / expected, 1, 0.12) << seed;
+  }
+  EXPECT_GT(spread, 0.1);
+  const OcclusionTest test;
+  asked.occlusion.test = &test;
+  EXPECT_EQ(seen_objects(asked, meshes, 2), nullptr);
 }
 
 TEST_F(PhotoComposite, AMatteThatSaysWhatTheLocalSceneSaysChangesNothing) {
