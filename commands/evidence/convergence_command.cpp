@@ -68,7 +68,8 @@ void add_convergence_command(CLI::App& app) {
       ->add_option("--parts", options->parts, "only these parts (default: samples, mesh, width, compositing)")
       ->delimiter(',')
       ->check(CLI::IsMember({"samples", "mesh", "width", "compositing", "links", "realtime", "light",
-                             "sensor", "repair", "registration", "fit", "joint", "interval", "plan"}));
+                             "mitigation", "filter", "sensor", "repair", "registration", "fit", "joint",
+                             "interval", "plan"}));
   add_number(*command, "--tolerances", options->tolerances, {1e-9, 0.5},
              "of the depth mesh in `mesh`, besides the study's (default: 1e-2 to 1e-6)")
       ->delimiter(',');

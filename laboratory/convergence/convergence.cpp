@@ -87,6 +87,9 @@ std::string run_convergence(const StudyDefinition& study, const ConvergenceReque
   if (wanted(ConvergencePart::compositing))
     writer.add(ConvergencePart::compositing,
                measure_compositing(subject, compositing_share * request.seconds));
+  if (wanted(ConvergencePart::mitigation))
+    writer.add(ConvergencePart::mitigation, measure_mitigation(subject));
+  if (wanted(ConvergencePart::filter)) writer.add(ConvergencePart::filter, measure_filter(subject));
   const std::uint64_t seed = subject.study.seed;
   if (wanted(ConvergencePart::sensor)) writer.add(ConvergencePart::sensor, measure_sensor(seed));
   if (wanted(ConvergencePart::repair)) writer.add(ConvergencePart::repair, measure_repair(seed));

@@ -44,6 +44,10 @@ std::string_view word(ConvergencePart part) {
       return "realtime";
     case ConvergencePart::light:
       return "light";
+    case ConvergencePart::mitigation:
+      return "mitigation";
+    case ConvergencePart::filter:
+      return "filter";
     case ConvergencePart::sensor:
       return "sensor";
     case ConvergencePart::repair:

@@ -13,8 +13,9 @@
 namespace seamline::renderer {
 
 /// The parts of `seamline lab convergence`, each with its own figure and table; `links` (captured depth),
-/// `realtime` (methods of real time) and `light` (how light is sampled) are made where they are asked for, as
-/// are those that make no picture: depth cameras, repair, registration, fits, intervals and plans.
+/// `realtime` (methods of real time), `light` (how light is sampled), `mitigation` (masks and mattes) and
+/// `filter` (of bounce light) are made where they are asked for, as are those that make no picture: depth
+/// cameras, repair, registration, fits, intervals and plans.
 enum class ConvergencePart {
   samples,
   mesh,
@@ -23,6 +24,8 @@ enum class ConvergencePart {
   links,
   realtime,
   light,
+  mitigation,
+  filter,
   sensor,
   repair,
   registration,
@@ -31,12 +34,13 @@ enum class ConvergencePart {
   interval,
   plan
 };
-inline constexpr std::array<ConvergencePart, 14> every_convergence_part = {
-    ConvergencePart::samples,      ConvergencePart::mesh,   ConvergencePart::width,
-    ConvergencePart::compositing,  ConvergencePart::links,  ConvergencePart::realtime,
-    ConvergencePart::light,        ConvergencePart::sensor, ConvergencePart::repair,
-    ConvergencePart::registration, ConvergencePart::fit,    ConvergencePart::joint,
-    ConvergencePart::interval,     ConvergencePart::plan};
+inline constexpr std::array<ConvergencePart, 16> every_convergence_part = {
+    ConvergencePart::samples,     ConvergencePart::mesh,       ConvergencePart::width,
+    ConvergencePart::compositing, ConvergencePart::links,      ConvergencePart::realtime,
+    ConvergencePart::light,       ConvergencePart::mitigation, ConvergencePart::filter,
+    ConvergencePart::sensor,      ConvergencePart::repair,     ConvergencePart::registration,
+    ConvergencePart::fit,         ConvergencePart::joint,      ConvergencePart::interval,
+    ConvergencePart::plan};
 [[nodiscard]] std::string_view word(ConvergencePart part);
 
 /// What `seamline lab convergence` was asked for.

@@ -78,6 +78,26 @@ TEST(Convergence, RegistrationFollowsThePixelsOfTheDepthCamera) {
   EXPECT_NEAR(slope_of(folder, "registration,mesh,error in depth_width_px,"), -2, 0.1);
 }
 
+TEST(Convergence, AMaskAnswersInPlaceOfTheDepthMap) {
+  const fs::path folder = test::fresh_folder("convergence-mitigation");
+  const test::Outcome outcome =
+      run_seamline(convergence(test::studies() / "quick.toml", folder,
+                               "--parts mitigation,filter --only atrium-occlusion-teapot_middle-0064"));
+  ASSERT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_THAT(read_text(folder / "mitigation.csv"), StartsWith("series,width_px,seconds,error\n"));
+  EXPECT_THAT(read_text(folder / "filter.csv"), StartsWith("series,samples a pixel,seconds,error\n"));
+  const auto error_at = [&](const std::string& table, const std::string& row) {
+    std::istringstream rows(read_text(folder / table));
+    for (std::string line; std::getline(rows, line);)
+      if (line.starts_with(row)) return std::stod(line.substr(line.rfind(',') + 1));
+    return std::nan("");
+  };
+  // Who is in front is all that this stimulus asks, and the widest painted mask is nearly the truth.
+  EXPECT_LT(error_at("mitigation.csv", "painted mask and matte,1024,"),
+            0.5 * error_at("mitigation.csv", "depth mesh,32,"));
+  EXPECT_LT(slope_of(folder, "filter,no filter,error in samples a pixel,"), -0.3);
+}
+
 TEST(Convergence, SlopesOfSamplesAreNumbers) {
   const fs::path folder = test::fresh_folder("convergence-slopes");
   ASSERT_EQ(run_seamline(convergence(test::studies() / "quick.toml", folder,
