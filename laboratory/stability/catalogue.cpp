@@ -13,10 +13,10 @@ namespace {
 
 StabilityCases put_together() {
   StabilityCases all;
-  for (const auto& part :
-       {ratio_cases, radiosity_cases, sun_cases, strong_light_cases, pocket_cases, contact_cases,
-        space_scale_cases, triangle_cases, depth_value_cases, depth_shape_cases, depth_size_cases,
-        bound_cases, curve_fit_cases, interval_cases, rating_cases, quest_plus_cases, convergence_cases}) {
+  for (const auto& part : {ratio_cases, radiosity_cases, sun_cases, strong_light_cases, told_error_cases,
+                           pocket_cases, contact_cases, space_scale_cases, triangle_cases, depth_value_cases,
+                           depth_shape_cases, depth_size_cases, bound_cases, curve_fit_cases, interval_cases,
+                           rating_cases, quest_plus_cases, convergence_cases}) {
     StabilityCases cases = part();
     all.insert(all.end(), std::make_move_iterator(cases.begin()), std::make_move_iterator(cases.end()));
   }

@@ -10,6 +10,7 @@ namespace seamline::stability {
 [[nodiscard]] StabilityCases sun_cases();        ///< light: suns, skies and shadows far apart in strength
 [[nodiscard]] StabilityCases
 strong_light_cases();                              ///< light, space, bounds: numbers at and beyond their ends
+[[nodiscard]] StabilityCases told_error_cases();   ///< light: what pictures say of their own error
 [[nodiscard]] StabilityCases pocket_cases();       ///< light: what depth sheets seal in
 [[nodiscard]] StabilityCases space_scale_cases();  ///< space: small, large and far scenes
 [[nodiscard]] StabilityCases contact_cases();      ///< space: surfaces that touch, rays that start on them

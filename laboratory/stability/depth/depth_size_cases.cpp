@@ -84,6 +84,24 @@ Finding try_largest_width(int threads) {
   return {error, fmt::format("{} triangles, largest error {:.2g}", mesh.triangles.size(), error)};
 }
 
+Finding try_alternating(int threads) {
+  constexpr double near_m = 2, far_m = 4;
+  constexpr std::size_t most_triangles = 2UL * 2048 * 1024;  // of the dense sphere
+  const DepthMap map =
+      make_depth_map(64, [](int column, int row) { return (column + row) % 2 == 0 ? near_m : far_m; });
+  const auto mesh_of = [&](double tolerance) {
+    return build_depth_mesh(map, {.tolerance = tolerance, .threads = threads});
+  };
+  const std::size_t fine = mesh_of(1e-4).triangles.size();
+  const DepthMesh coarse = mesh_of(0.01);
+  const double outside = largest_error(coarse, 20000, [](const Eigen::Vector3d&) { return 3.0; });
+  const std::string found =
+      fmt::format("{} triangles within 1e-4, {} within 0.01; distances within {:.3g} of 3 m", fine,
+                  coarse.triangles.size(), outside);
+  if (fine > most_triangles || coarse.triangles.size() >= fine) return {nan, found};
+  return {outside, found};
+}
+
 StabilityCases depth_size_cases() {
   const auto widths = [](const std::string& name, const std::vector<int>& widths_px,
                          const std::string& tried) {
@@ -120,6 +138,16 @@ StabilityCases depth_size_cases() {
        .tolerance = 1.01e-4 + 4e-4,
        .reason = "the mesh's bound 1e-4; a cell of 3.8e-4 rad cuts a crease of two walls by up to as much",
        .run = [](const StabilityOptions& options) { return try_largest_width(options.threads); },
+       .slow = true},
+      {.group = "depth",
+       .name = "alternating-texels",
+       .tried = "2,048 texels that are 2 and 4 m away by turns, meshes within 1e-4 and 0.01",
+       .expected = "surfaces from 2 to 4 m along every ray; no more triangles than the dense sphere has, and "
+                   "fewer within 0.01",
+       .unit = "of 3 m",
+       .tolerance = 0.3334 + 0.01,
+       .reason = "2 and 4 m lie a third off 3 m; the mesh's bound of 0.01",
+       .run = [](const StabilityOptions& options) { return try_alternating(options.threads); },
        .slow = true},
       refused("width-odd-refused", true, "files of odd width: 1, 3, 5, 63 and 2049 px"),
       refused("width-not-2-to-1-refused", false,

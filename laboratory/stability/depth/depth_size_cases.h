@@ -19,4 +19,8 @@ using ReadRule = std::function<DepthMap(const std::filesystem::path& path)>;
 /// A room in a map of 16384 x 8192, adaptive mesh: largest error of random rays.
 [[nodiscard]] Finding try_largest_width(int threads);
 
+/// Texels of 2 and 4 m by turns, which no mesh can be coarse on: largest distance of random rays from 3 m,
+/// relative; NaN where a mesh has too many triangles.
+[[nodiscard]] Finding try_alternating(int threads);
+
 }  // namespace seamline::stability
