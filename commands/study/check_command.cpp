@@ -38,16 +38,24 @@ struct CheckOptions {
   std::optional<int> coarse_px, fine_px;
 };
 
+/// Those with the first object of a scene whose depth comes through sensors.
+using SensedStimuli = std::map<std::string, std::vector<Stimulus>>;  // by scene
+SensedStimuli sensed_stimuli(const StudyDefinition& study) {
+  SensedStimuli sensed;
+  for (Stimulus& stimulus : list_stimuli(study))
+    if (stimulus.object_index == 1 && stimulus.depth.chain)
+      sensed[stimulus.scene].push_back(std::move(stimulus));
+  return sensed;
+}
+
 /// What the study's sensors see of a scene without its first object, at every level and condition.
-void add_holes_of_scene(const std::vector<Stimulus>& stimuli, const SceneDefinition& scene,
-                        const TruthScene& truth, std::vector<LevelHoles>& holes) {
+void add_holes_of_scene(const std::vector<Stimulus>& sensed, const TruthScene& truth,
+                        std::vector<LevelHoles>& holes) {
   std::map<std::string, std::optional<SensorCounts>> counted;  // by what is captured
   std::set<std::pair<std::string, double>> seen;               // condition and level
   std::optional<Geometry> geometry;
-  for (const Stimulus& stimulus : stimuli) {
-    if (stimulus.scene != scene.name || stimulus.object_index != 1 || !stimulus.depth.chain ||
-        !seen.insert({stimulus.condition, stimulus.level}).second)
-      continue;
+  for (const Stimulus& stimulus : sensed) {
+    if (!seen.insert({stimulus.condition, stimulus.level}).second) continue;
     stop_if_interrupted();
     if (!geometry) geometry.emplace(truth.geometry_without(1));
     const std::string what = fmt::format("{} {} {}", canonical_text(stimulus.depth.chain),
@@ -62,7 +70,7 @@ void add_holes_of_scene(const std::vector<Stimulus>& stimuli, const SceneDefinit
 
 void check_study(const std::string& path, const std::string& asset_root) {
   const StudyDefinition study = read_study(path, AssetCheck::must_exist, asset_root);
-  const std::vector<Stimulus> stimuli = list_stimuli(study);
+  const SensedStimuli sensed = sensed_stimuli(study);
   int broken = 0;
   std::vector<LevelHoles> holes;
   for (const SceneDefinition& scene : study.scenes) {
@@ -77,7 +85,8 @@ void check_study(const std::string& path, const std::string& asset_root) {
                  result.found);
       broken += result.met ? 0 : 1;
     }
-    add_holes_of_scene(stimuli, scene, truth, holes);
+    if (const auto found = sensed.find(scene.name); found != sensed.end())
+      add_holes_of_scene(found->second, truth, holes);
   }
   for (const std::string& said : notes_on_levels(study)) fmt::print("note    {}\n", said);
   for (const std::string& said : sentences(holes)) fmt::print("note    {}\n", said);
