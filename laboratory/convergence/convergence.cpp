@@ -4,6 +4,7 @@
 
 #include "laboratory/convergence/convergence_estimate_tables.h"
 #include "laboratory/convergence/convergence_figure.h"
+#include "laboratory/convergence/convergence_pictures.h"
 #include "support/files/atomic_file.h"
 #include "support/files/gnuplot.h"
 #include "support/files/held/prepared_folder.h"

@@ -6,8 +6,6 @@
 
 namespace seamline::renderer {
 
-struct ConvergenceSubject;
-
 /// One estimate that got so much to work with: frames, answers, replicates, a radius.
 struct EstimateRow {
   std::string series;
@@ -32,13 +30,6 @@ struct EstimateResult {
   double expected = -0.5;  ///< slope of the error in the amount
   std::string why;
 };
-
-/// The subject's stimulus with masks, mattes and what is found in the photograph in place of depth, of rising
-/// width: error of the picture.
-[[nodiscard]] EstimateResult measure_mitigation(const ConvergenceSubject& subject);
-/// The subject's scene with its object by the fast estimator's truth pass, bounce light filtered by each of
-/// its strengths: error of the picture.
-[[nodiscard]] EstimateResult measure_filter(const ConvergenceSubject& subject);
 
 /// Frames of three kinds of depth camera before a wall, averaged (`mean_of_frames`): error of the depth.
 [[nodiscard]] EstimateResult measure_sensor(std::uint64_t seed);

@@ -1,10 +1,10 @@
+#include "laboratory/convergence/convergence_pictures.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <ctime>
 
-#include "laboratory/convergence/convergence_subject.h"
-#include "laboratory/convergence/estimates/estimates.h"
 #include "renderer/estimators/fast/fast_truth_pass.h"
 #include "renderer/estimators/fast/truth_sums.h"
 #include "renderer/estimators/path/path_truth_pass.h"
