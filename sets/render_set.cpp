@@ -6,6 +6,7 @@
 #include "raytracer/common/stopwatch.h"
 #include "raytracer/scene/moving_scenes.h"
 #include "raytracer/scene/visible_objects.h"
+#include "raytracer/tracing/kept_trees.h"
 #include "renderer/estimators/estimator.h"
 #include "renderer/picture/composite.h"
 #include "renderer/picture/rare_light.h"
@@ -68,7 +69,7 @@ class SetRenderer {
     summary_.already_finished = work_.already_finished;
     if (shown_.clip) share_among_frames();
     if (request_.part == JobPart::truth) work_.pending.clear(), work_.of_object.clear();
-    if (request_.part == JobPart::join) require_nothing_pending();
+    if (request_.part == JobPart::join) require_nothing_pending(work_, request_.set_folder);
     for (const SceneDefinition& truth : truths_) load_and_check(truth);
     for (const char* part : {"stimuli", "references", "records"})
       prepare_output_folder(request_.set_folder / part);
@@ -98,8 +99,11 @@ class SetRenderer {
     progress_.reset();
   }
 
-  /// Frames of clips have meshes in common and, where an error is asked for, how they are sampled.
+  /// Frames of clips have search trees and meshes in common and, where an error is asked for, how they are
+  /// sampled.
   void share_among_frames() {
+    trees_.emplace(settings_.estimator == Estimator::fast ? TreeQuality::for_few_rays
+                                                          : TreeQuality::for_light);
     std::vector<Stimulus> rendered;
     for (const PendingStimulus& work : work_.pending) rendered.push_back(work.stimulus);
     meshes_.emplace(study_, rendered, [this](const Stimulus& stimulus) {
@@ -120,14 +124,6 @@ class SetRenderer {
       progress_->advance(0, what);
     };
     decisions_.emplace(shown_, std::move(subject));
-  }
-
-  void require_nothing_pending() const {
-    if (work_.pending.empty()) return;
-    throw input_error({.file = request_.set_folder.string(),
-                       .wanted = "a set whose stimuli are all rendered",
-                       .found = fmt::format("{} that are not, the first being {}", work_.pending.size(),
-                                            stimulus_id(work_.pending.front().stimulus))});
   }
 
   void check_existing_set() {
@@ -186,13 +182,14 @@ class SetRenderer {
     require_visible_objects(study_, scene);
     require_mirrors(study_, scene);
     lights_.emplace(definition.truth, light_facts(scene));
-    scenes_.emplace(definition.truth, std::move(scene));
+    wanted_.insert(definition.truth);
+    if (!shown_.clip) scenes_.emplace(definition.truth, std::move(scene));
   }
 
   void render_scene(const SceneDefinition& definition) {
-    const auto found = scenes_.find(definition.truth);
-    if (found == scenes_.end()) return;
-    const TruthScene& scene = found->second;
+    if (!wanted_.contains(definition.truth)) return;
+    const TruthScene scene =
+        shown_.clip ? moving_.load(definition) : std::move(scenes_.extract(definition.truth).mapped());
     const std::unique_ptr<SceneEstimator> estimator = estimator_of(scene);
     if (decisions_) estimator->hold_to(decisions_->of_truth(definition.truth));
     if (request_.part == JobPart::stimuli && estimator->truth_pieces() == 1) take_truth(scene, 1, *estimator);
@@ -201,7 +198,6 @@ class SetRenderer {
     give_back_freed_memory();
     for (const int object : scene.object_indices()) render_object(scene, object, *estimator);
     summary_.savings.emplace_back(definition.truth, estimator->savings());
-    scenes_.erase(found);
   }
 
   /// What another process made of the truth; what is not there is made here.
@@ -264,10 +260,12 @@ class SetRenderer {
   }
 
   /// What the depth camera saw, where that was not what is there now.
-  [[nodiscard]] std::optional<Geometry> captured_geometry(const Stimulus& stimulus) {
+  [[nodiscard]] std::optional<Geometry> captured_geometry(const TruthScene& now, const Stimulus& stimulus) {
     const std::optional<SceneDefinition> captured = captured_scene(study_, stimulus);
     if (!captured) return std::nullopt;
-    return moving_.load(*captured).geometry_without(stimulus.object_index);
+    const TruthScene then = moving_.load(*captured);
+    require_same_camera(study_, now, then);
+    return then.geometry_without(stimulus.object_index);
   }
 
   [[nodiscard]] LocalScene depth_of(const TruthScene& scene, const SceneEstimator& estimator,
@@ -275,7 +273,7 @@ class SetRenderer {
     DepthSettings settings = stimulus.depth;
     settings.mesh = settings_.mesh.value_or(settings.mesh);
     const Answers asked = asked_of_depth(stimuli_.at(truth_of(scene.definition)));
-    const std::optional<Geometry> captured = captured_geometry(stimulus);
+    const std::optional<Geometry> captured = captured_geometry(scene, stimulus);
     return stimulus_scene(scene, estimator, settings, asked.traces_depth(), threads_,
                           captured ? &*captured : nullptr, &stereo_);
   }
@@ -371,11 +369,13 @@ class SetRenderer {
   SetWork work_;
   const WorkWeights weights_ = work_weights(settings_.estimator);
   std::size_t earlier_stimuli_ = 0;
+  std::optional<KeptTrees> trees_;                          ///< of clips
   MovingScenes moving_{study_.width_px, study_.height_px};  ///< of clips
   std::optional<ClipDecisions> decisions_;                  ///< of clips, where an error is asked for
   std::optional<MeshShare> meshes_;                         ///< of clips
   FrameChanges changes_{shown_};
-  std::map<std::string, TruthScene> scenes_;
+  std::set<std::string> wanted_;              ///< truths that were loaded and are rendered
+  std::map<std::string, TruthScene> scenes_;  ///< of them, until then; those of clips are loaded again
   StereoMemory stereo_;                       ///< of the object that is rendered
   std::map<std::string, LightFacts> lights_;  ///< of scenes loaded so far
   SetTruths truths_of_others_{request_.set_folder};

@@ -1,5 +1,7 @@
 #include "sets/set_work.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <map>
 
@@ -18,6 +20,14 @@ InputError no_such_stimulus(const StudyDefinition& study, const std::string& onl
                       .field = "--only",
                       .wanted = "a pattern that matches a stimulus id",
                       .found = "\"" + only + "\""});
+}
+
+void require_nothing_pending(const SetWork& work, const std::filesystem::path& set_folder) {
+  if (work.pending.empty()) return;
+  throw input_error({.file = set_folder.string(),
+                     .wanted = "a set whose stimuli are all rendered",
+                     .found = fmt::format("{} that are not, the first being {}", work.pending.size(),
+                                          stimulus_id(work.pending.front().stimulus))});
 }
 
 SetWork find_work(const StudyDefinition& study, const RenderRequest& request, const InputHashes& hashes,

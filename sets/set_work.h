@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <map>
 #include <set>
 #include <string>
@@ -30,6 +31,9 @@ struct SetWork {
 
 /// That no stimulus of the study matches `--only`.
 [[nodiscard]] InputError no_such_stimulus(const StudyDefinition& study, const std::string& only);
+
+/// Throws InputError naming the first stimulus that is left to render.
+void require_nothing_pending(const SetWork& work, const std::filesystem::path& set_folder);
 
 /// Stimuli that match `--only`, belong to this shard and are not finished. Shards share out the virtual
 /// objects of all scenes, because stimuli of one object share its truth. Throws InputError when the pattern

@@ -9,6 +9,7 @@
 
 #include "raytracer/scene/gltf/gltf_load.h"
 #include "raytracer/scene/gltf/gltf_mesh.h"
+#include "raytracer/scene/scene_moment.h"
 #include "support/arithmetic/units.h"
 #include "support/text/error.h"
 #include "support/text/limits.h"
@@ -187,8 +188,15 @@ class NodeWalker {
 
 SceneFile read_scene_file(const std::filesystem::path& path, MaterialModel materials,
                           Transparency transparency) {
+  return read_scene_moment(path, materials, transparency, std::nullopt);
+}
+
+SceneFile read_scene_moment(const std::filesystem::path& path, MaterialModel materials,
+                            Transparency transparency, const std::optional<FileMoment>& moment) {
   LeftOut left_out;
-  const tinygltf::Model model = load_gltf(path, left_out);
+  GltfJson animations;
+  tinygltf::Model model = load_gltf(path, left_out, moment ? &animations : nullptr);
+  if (moment) pose_at(*moment, animations, path.string(), model, left_out);
   return NodeWalker(model, path.string(), materials, transparency, left_out).walk();
 }
 

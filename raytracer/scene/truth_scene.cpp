@@ -12,6 +12,7 @@
 #include "raytracer/scene/eyes.h"
 #include "raytracer/scene/lit_parts.h"
 #include "raytracer/scene/resting_object.h"
+#include "raytracer/scene/scene_moment.h"
 #include "support/arithmetic/units.h"
 #include "support/text/error.h"
 #include "support/text/limits.h"
@@ -278,10 +279,18 @@ std::vector<std::string> unused_of_scene(const SceneDefinition& definition, cons
 
 }  // namespace
 
+SceneFile read_object_file(const ObjectDefinition& object, const SceneDefinition& scene) {
+  SceneFile file = read_scene_moment(object.path, scene.materials, Transparency::refused,
+                                     split_moment(object.file).moment);
+  for (FileMesh& mesh : file.meshes) set_layer(scene, mesh);
+  return file;
+}
+
 TruthScene load_truth_scene(const SceneDefinition& definition, int width_px, int height_px) {
   TruthScene scene;
   scene.definition = definition;
-  const SceneFile background = read_scene_file(definition.path, definition.materials);
+  const SceneFile background = read_scene_moment(definition.path, definition.materials, Transparency::refused,
+                                                 split_moment(definition.file).moment);
   if (background.meshes.empty())
     throw input_error(
         {.file = definition.path.string(), .wanted = "a scene with triangles", .found = "none"});
@@ -296,12 +305,11 @@ TruthScene load_truth_scene(const SceneDefinition& definition, int width_px, int
   scene.objects.resize(definition.objects.size());
   for (std::size_t i = 0; i < definition.objects.size(); ++i) {
     const ObjectDefinition& object = definition.objects[i];
-    SceneFile file = read_scene_file(object.path, definition.materials);
+    SceneFile file = read_object_file(object, definition);
     if (file.meshes.empty())
       throw input_error(
           {.file = object.path.string(), .wanted = "an object with triangles", .found = "none"});
     note_left_out(file, camera_and_lights(file), scene);
-    for (FileMesh& mesh : file.meshes) set_layer(definition, mesh);
     scene.objects[i] = place_meshes(file, standing_placement(object, file, scene, scene.rests),
                                     scene.camera_position_m, definition.albedo, static_cast<int>(i) + 1);
   }

@@ -22,6 +22,14 @@ std::vector<VisiblePixels> visible_pixels(const Camera& camera, const Geometry& 
   return seen;
 }
 
+void require_same_camera(const StudyDefinition& study, const TruthScene& now, const TruthScene& then) {
+  if (now.camera_position_m == then.camera_position_m && now.camera.axes == then.camera.axes) return;
+  throw input_error({.file = study.file.string(),
+                     .field = fmt::format("scene \"{}\", animation", now.definition.name),
+                     .wanted = "depth of the picture's own moment beside a camera that moves",
+                     .found = "late or held depth"});
+}
+
 void require_mirrors(const StudyDefinition& study, const TruthScene& scene) {
   const std::vector<Artifact>& artifacts = scene.definition.artifacts;
   if (std::find(artifacts.begin(), artifacts.end(), Artifact::reflection) == artifacts.end()) return;

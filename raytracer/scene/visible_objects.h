@@ -20,6 +20,10 @@ struct VisiblePixels {
 /// count them from the left (other than three) would count them in another order than the study file has.
 void require_visible_objects(const StudyDefinition& study, const TruthScene& scene);
 
+/// Throws InputError when late depth would be of another place than the photograph, because the file's camera
+/// moves.
+void require_same_camera(const StudyDefinition& study, const TruthScene& now, const TruthScene& then);
+
 /// Throws InputError when a study asks what is mirrored in an object that mirrors nothing.
 void require_mirrors(const StudyDefinition& study, const TruthScene& scene);
 

@@ -1,4 +1,5 @@
-// Embree is included by this file, ray_packet.h, ray_device.cpp and the benchmarks (bench_embree.cpp) only.
+// Embree is included by this file, ray_packet.h, search_tree.cpp, ray_device.cpp and the benchmarks
+// (bench_embree.cpp) only.
 #include "raytracer/tracing/geometry.h"
 
 #include <embree3/rtcore.h>
@@ -9,72 +10,31 @@
 #include <cassert>
 #include <cmath>
 #include <future>
-#include <new>
 #include <utility>
 
+#include "raytracer/tracing/kept_trees.h"
 #include "raytracer/tracing/quads.h"
-#include "raytracer/tracing/ray_device.h"
 #include "raytracer/tracing/ray_packet.h"
+#include "raytracer/tracing/search_tree.h"
 #include "raytracer/tracing/triangle_neighbours.h"
-#include "support/running/interrupt.h"
 
 namespace seamline::renderer {
 namespace {
 
-RTCDevice embree_device() {
-  return static_cast<RTCDevice>(RayDevice::instance().handle());
-}
+/// What a geometry asks: a tree, or one for each body.
+struct Trees {
+  std::vector<std::shared_ptr<const SearchTree>> held = {};
+  std::vector<TracedTree> traced = {};
 
-RTCScene as_scene(void* scene) {
-  return static_cast<RTCScene>(scene);
-}
-
-/// Called by Embree for hits of meshes with an alpha mask: those in a hole are none.
-void leave_out_holes(const RTCFilterFunctionNArguments* arguments) {
-  const auto& mesh = *static_cast<const SurfaceMesh*>(arguments->geometryUserPtr);
-  for (unsigned lane = 0; lane < arguments->N; ++lane) {
-    if (arguments->valid[lane] == 0) continue;
-    const unsigned triangle = RTCHitN_primID(arguments->hit, arguments->N, lane);
-    const float u = RTCHitN_u(arguments->hit, arguments->N, lane);
-    const float v = RTCHitN_v(arguments->hit, arguments->N, lane);
-    if (cut_away(*mesh.material, texture_coordinates(mesh, triangle, u, v))) arguments->valid[lane] = 0;
+  void add(std::shared_ptr<const SearchTree> tree, std::size_t first_surface) {
+    traced.push_back(
+        {static_cast<RTCScene>(tree->scene()), &tree->boxes(), static_cast<std::uint32_t>(first_surface)});
+    held.push_back(std::move(tree));
   }
-}
+};
 
-/// Adds a mesh of triangles or of quads to a scene, which copies it. `masked`: a mesh with holes, which stays
-/// where it is.
-template <std::size_t corners>
-void attach(RTCScene scene, const std::vector<Eigen::Vector3f>& positions,
-            const std::vector<std::array<std::uint32_t, corners>>& faces, RTCBuildQuality quality,
-            const SurfaceMesh* masked = nullptr) {
-  static_assert(corners == 3 || corners == 4);
-  RTCGeometry geometry =
-      rtcNewGeometry(embree_device(), corners == 3 ? RTC_GEOMETRY_TYPE_TRIANGLE : RTC_GEOMETRY_TYPE_QUAD);
-  rtcSetGeometryBuildQuality(geometry, quality);
-  const auto copy = [geometry](RTCBufferType type, RTCFormat format, const auto& values) {
-    using Value = std::decay_t<decltype(values.front())>;
-    void* buffer = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(Value), values.size());
-    std::copy(values.begin(), values.end(), static_cast<Value*>(buffer));
-  };
-  copy(RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, positions);
-  copy(RTC_BUFFER_TYPE_INDEX, corners == 3 ? RTC_FORMAT_UINT3 : RTC_FORMAT_UINT4, faces);
-  if (masked != nullptr) {
-    rtcSetGeometryUserData(geometry, const_cast<SurfaceMesh*>(masked));  // NOLINT: only read
-    rtcSetGeometryIntersectFilterFunction(geometry, leave_out_holes);
-    rtcSetGeometryOccludedFilterFunction(geometry, leave_out_holes);
-  }
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometry(scene, geometry);
-  rtcReleaseGeometry(geometry);
-}
-
-/// Embree keeps its errors to itself until asked: a scene that could not be built would be an empty one.
-void commit(RTCScene scene) {
-  rtcSetSceneProgressMonitorFunction(
-      scene, [](void*, double) { return !interrupted(); }, nullptr);
-  rtcCommitScene(scene);
-  stop_if_interrupted();
-  if (rtcGetDeviceError(embree_device()) != RTC_ERROR_NONE) throw std::bad_alloc();
+std::span<const TracedTree> traced(const void* trees) {
+  return static_cast<const Trees*>(trees)->traced;
 }
 
 void count(RayCounts* counts, std::size_t rays) {
@@ -119,40 +79,40 @@ void set_surface_from_centre(const Eigen::Vector3f& normal, const SurfaceTable& 
 }  // namespace
 
 Geometry::Geometry(std::span<const std::shared_ptr<const SurfaceMesh>> meshes, Edges edges)
-    : scene_(rtcNewScene(embree_device())), meshes_(meshes.begin(), meshes.end()), boxes_(meshes) {
-  if (edges == Edges::tight) rtcSetSceneFlags(as_scene(scene_), RTC_SCENE_FLAG_ROBUST);
-  rtcSetSceneBuildQuality(as_scene(scene_), RTC_BUILD_QUALITY_HIGH);
+    : meshes_(meshes.begin(), meshes.end()), boxes_(meshes) {
   for (const auto& mesh : meshes_) {
-    attach(as_scene(scene_), mesh->positions_m, mesh->triangles, RTC_BUILD_QUALITY_HIGH,
-           mesh->material && mesh->material->alpha_cutoff ? mesh.get() : nullptr);
     surfaces_.push_back(surface_table(*mesh));
     emits_ = emits_ || (mesh->emission > 0.0F).any();
     glossy_ = glossy_ || (mesh->f0 > 0.0F).any();
   }
-  commit(as_scene(scene_));
+  auto trees = std::make_unique<Trees>();
+  if (KeptTrees* const kept = KeptTrees::current()) {
+    for (const KeptTrees::Meshes body : bodies_of(meshes_))
+      trees->add(kept->tree_of(body, edges), static_cast<std::size_t>(body.data() - meshes_.data()));
+  } else {
+    trees->add(std::make_shared<const SearchTree>(meshes_, edges), 0);
+  }
+  scene_ = trees.release();
 }
 
-Geometry::Geometry(const DepthMesh& mesh, const Rgb& albedo, TreeQuality quality, CentreRays centre)
-    : scene_(rtcNewScene(embree_device())) {
+Geometry::Geometry(const DepthMesh& mesh, const Rgb& albedo, TreeQuality quality, CentreRays centre) {
   surfaces_.push_back({.albedo = albedo});
-  const RTCBuildQuality of_tree =
-      quality == TreeQuality::for_light ? RTC_BUILD_QUALITY_HIGH : RTC_BUILD_QUALITY_MEDIUM;
-  rtcSetSceneBuildQuality(as_scene(scene_), of_tree);
+  auto trees = std::make_unique<Trees>();
   if (mesh.triangles.size() > DirectionTable::most_triangles) {
-    attach(as_scene(scene_), mesh.vertices_m, mesh.triangles, of_tree);
-    commit(as_scene(scene_));
-    return;
+    trees->add(std::make_shared<const SearchTree>(mesh.vertices_m, mesh.triangles, quality), 0);
+  } else {
+    const auto neighbours = triangle_neighbours(mesh.vertices_m.size(), mesh.triangles);
+    auto table =
+        std::async(std::launch::async, [&mesh, &neighbours, centre]() -> std::optional<DirectionTable> {
+          if (centre == CentreRays::by_tree) return std::nullopt;
+          return make_direction_table(mesh.vertices_m, mesh.triangles, neighbours);
+        });
+    trees->add(std::make_shared<const SearchTree>(
+                   mesh.vertices_m, pair_into_quads(mesh.vertices_m, mesh.triangles, neighbours), quality),
+               0);
+    directions_ = table.get();
   }
-  const auto neighbours = triangle_neighbours(mesh.vertices_m.size(), mesh.triangles);
-  auto table =
-      std::async(std::launch::async, [&mesh, &neighbours, centre]() -> std::optional<DirectionTable> {
-        if (centre == CentreRays::by_tree) return std::nullopt;
-        return make_direction_table(mesh.vertices_m, mesh.triangles, neighbours);
-      });
-  attach(as_scene(scene_), mesh.vertices_m, pair_into_quads(mesh.vertices_m, mesh.triangles, neighbours),
-         of_tree);
-  commit(as_scene(scene_));
-  directions_ = table.get();
+  scene_ = trees.release();
 }
 
 void Geometry::paint(std::shared_ptr<const AlbedoMap> albedo) {
@@ -177,7 +137,7 @@ std::int64_t Geometry::own_memory_bytes() const {
 }
 
 Geometry::~Geometry() {
-  if (scene_ != nullptr) rtcReleaseScene(as_scene(scene_));
+  delete static_cast<Trees*>(scene_);
 }
 
 Geometry::Geometry(Geometry&& other) noexcept
@@ -193,28 +153,31 @@ Geometry::Geometry(Geometry&& other) noexcept
 std::optional<SurfacePoint> Geometry::nearest(const Ray& ray, RayCounts* counts) const {
   count(counts, 1);
   if (!boxes_.may_meet(ray)) return std::nullopt;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
   RTCRayHit query;
   set_ray(query.ray, ray);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(as_scene(scene_), &context, &query);
+  for_each_tree(traced(scene_), std::span(&ray, 1), [&](RTCScene tree, RTCIntersectContext& context) {
+    rtcIntersect1(tree, &context, &query);
+    return true;
+  });
   std::optional<SurfacePoint> point;
-  if (const RTCHit& hit = query.hit; hit.geomID != RTC_INVALID_GEOMETRY_ID)
-    set_surface(surfaces_[hit.geomID], ray,
-                {{hit.Ng_x, hit.Ng_y, hit.Ng_z}, query.ray.tfar, hit.u, hit.v, hit.primID, hit.geomID},
-                point);
+  if (const RTCHit& hit = query.hit; hit.geomID != RTC_INVALID_GEOMETRY_ID) {
+    const std::uint32_t surface = traced(scene_)[hit.instID[0]].first_surface + hit.geomID;
+    set_surface(surfaces_[surface], ray,
+                {{hit.Ng_x, hit.Ng_y, hit.Ng_z}, query.ray.tfar, hit.u, hit.v, hit.primID, surface}, point);
+  }
   return point;
 }
 
 bool Geometry::occluded(const Ray& ray, RayCounts* counts) const {
   count(counts, 1);
   if (!boxes_.may_meet(ray)) return false;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
   RTCRay query;
   set_ray(query, ray);
-  rtcOccluded1(as_scene(scene_), &context, &query);
+  for_each_tree(traced(scene_), std::span(&ray, 1), [&](RTCScene tree, RTCIntersectContext& context) {
+    rtcOccluded1(tree, &context, &query);
+    return query.tfar >= 0.0F;
+  });
   return query.tfar < 0.0F;
 }
 
@@ -225,20 +188,21 @@ void Geometry::nearest(std::span<const Ray> rays, std::span<std::optional<Surfac
     std::fill_n(hits.begin(), rays.size(), std::nullopt);
     return;
   }
-  intersect_in_packets(as_scene(scene_), rays, coherence,
-                       [&](std::size_t i, const RTCRayHit8& packet, int lane) {
-                         const RTCHit8& hit = packet.hit;
-                         hits[i].reset();
-                         if (hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID) return;
-                         set_surface(surfaces_[hit.geomID[lane]], rays[i],
-                                     {{hit.Ng_x[lane], hit.Ng_y[lane], hit.Ng_z[lane]},
-                                      packet.ray.tfar[lane],
-                                      hit.u[lane],
-                                      hit.v[lane],
-                                      hit.primID[lane],
-                                      hit.geomID[lane]},
-                                     hits[i]);
-                       });
+  const std::span<const TracedTree> trees = traced(scene_);
+  intersect_in_packets(trees, rays, coherence, [&](std::size_t i, const RTCRayHit8& packet, int lane) {
+    const RTCHit8& hit = packet.hit;
+    hits[i].reset();
+    if (hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID) return;
+    const std::uint32_t surface = trees[hit.instID[0][lane]].first_surface + hit.geomID[lane];
+    set_surface(surfaces_[surface], rays[i],
+                {{hit.Ng_x[lane], hit.Ng_y[lane], hit.Ng_z[lane]},
+                 packet.ray.tfar[lane],
+                 hit.u[lane],
+                 hit.v[lane],
+                 hit.primID[lane],
+                 surface},
+                hits[i]);
+  });
 }
 
 void Geometry::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, Coherence coherence,
@@ -248,13 +212,13 @@ void Geometry::occluded(std::span<const Ray> rays, std::span<std::uint8_t> block
     std::fill_n(blocked.begin(), rays.size(), std::uint8_t{0});
     return;
   }
-  occlude_in_packets(as_scene(scene_), rays, coherence,
+  occlude_in_packets(traced(scene_), rays, coherence,
                      [&](std::size_t i, bool is_blocked) { blocked[i] = is_blocked ? 1 : 0; });
 }
 
 void Geometry::distances(std::span<const Ray> rays, std::span<float> distance_m, RayCounts* counts) const {
   count(counts, rays.size());
-  intersect_in_packets(as_scene(scene_), rays, Coherence::together,
+  intersect_in_packets(traced(scene_), rays, Coherence::together,
                        [&](std::size_t i, const RTCRayHit8& packet, int lane) {
                          distance_m[i] = packet.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID
                                              ? std::numeric_limits<float>::infinity()

@@ -11,6 +11,7 @@
 #include <tuple>
 #include <utility>
 
+#include "stimuli/definition/moving/file_moment.h"
 #include "support/arithmetic/random.h"
 
 namespace seamline::inline stimuli {
@@ -90,7 +91,19 @@ bool is_of_frames(const StudyDefinition& study) {
 SceneDefinition scene_at(SceneDefinition scene, const StudyDefinition& study, double level, double time_s) {
   std::optional<double> speed_m_s;
   if (study.level.quantity == Quantity::object_speed_m_s) speed_m_s = level;
+  const auto animate = [&](const std::string& object, std::string& file) {
+    const auto animation = study.clip->animations.find({scene.name, object});
+    if (animation != study.clip->animations.end())
+      file = with_moment(file, {animation->second.name, animation_time_s(animation->second, time_s)});
+  };
+  animate("", scene.file);
+  if (const auto motion = study.clip->cameras.find(scene.name); motion != study.clip->cameras.end()) {
+    const CameraKey key = camera_at(motion->second, time_s);
+    scene.camera->position_m = key.position_m;
+    scene.camera->look_at_m = key.look_at_m;
+  }
   for (ObjectDefinition& object : scene.objects) {
+    animate(object.name, object.file);
     const auto motion = study.clip->motions.find({scene.name, object.name});
     if (motion == study.clip->motions.end()) continue;
     const ObjectPose pose =

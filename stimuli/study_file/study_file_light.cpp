@@ -1,4 +1,5 @@
 #include "stimuli/study_file/study_file_light.h"
+#include "stimuli/definition/moving/file_moment.h"
 
 #include <cmath>
 
@@ -78,8 +79,9 @@ SunDefinition read_sun(const TomlTable& table) {
 
 std::filesystem::path find_asset(const TomlTable& table, const std::string& key, const std::string& file,
                                  const AssetFolders& folders, AssetCheck assets, BuiltinKind kind) {
-  return assets == AssetCheck::must_exist ? resolve_asset(file, folders, table.field(key), kind)
-                                          : std::filesystem::path{};
+  return assets == AssetCheck::must_exist
+             ? resolve_asset(split_moment(file).file, folders, table.field(key), kind)
+             : std::filesystem::path{};
 }
 
 void read_light(const TomlTable& table, const AssetFolders& folders, AssetCheck assets,

@@ -31,7 +31,7 @@ ObjectDefinition read_object(const TomlTable& table, const AssetFolders& folders
   object.name = read_name(table);
   object.file = table.text("file");
   read_settings(table, object);
-  static_cast<void>(table.has("path"));  // read by `read_path`
+  for (const char* read_apart : {"path", "animation"}) static_cast<void>(table.has(read_apart));
   table.finish();
   object.path = find_asset(table, "file", object.file, folders, assets);
   return object;
@@ -55,7 +55,29 @@ void read_path(const TomlTable& table, const ObjectDefinition& object, const std
                         read_motion(*table.table("path"), object.position_m, level));
 }
 
+/// `animation` of an object, or of the background.
+void read_animation_of(const TomlTable& table, const std::string& file,
+                       const std::pair<std::string, std::string>& place, ClipDefinition* clip) {
+  if (!table.has("animation")) return;
+  if (clip == nullptr)
+    throw table.complaint("animation",
+                          "a table [clip] in the study beside it; a still may stand at one moment of it: "
+                          "file = \"FILE.glb#NAME@SECONDS\"",
+                          "none");
+  clip->animations.emplace(place, read_animation(*table.table("animation"), file));
+}
+
+/// `path` of a camera.
+void read_camera_path(const TomlTable& table, SceneDefinition& scene, ClipDefinition* clip) {
+  if (!table.has("path")) return;
+  if (clip == nullptr)
+    throw table.complaint("path", "a table [clip] in the study beside it: cameras of stills stand still",
+                          "none");
+  clip->cameras.emplace(scene.name, read_camera_motion(*table.table("path")));
+}
+
 CameraDefinition read_camera(const TomlTable& table) {
+  static_cast<void>(table.has("path"));  // read by `read_camera_path`
   CameraDefinition camera;
   camera.look_at_m = {0, 0, -1};  // without the signs of zeros that the default has: they stand in the hash
   const bool is_panorama = read_projection(table);
@@ -103,7 +125,11 @@ SceneDefinition read_scene(const TomlTable& table, const AssetFolders& folders, 
       throw table.complaint("sun_radius_deg", "one radius of the sun", "sun.angular_radius_deg beside it");
     scene.sun = read_sun(*sun);
   }
-  if (const auto camera = table.table("camera")) scene.camera = read_camera(*camera);
+  if (const auto camera = table.table("camera")) {
+    scene.camera = read_camera(*camera);
+    read_camera_path(*camera, scene, clip);
+  }
+  read_animation_of(table, scene.file, {scene.name, ""}, clip);
   std::set<std::string> names;
   for (const TomlTable& object : table.tables("object")) {
     scene.objects.push_back(read_object(object, folders, assets));
@@ -111,6 +137,7 @@ SceneDefinition read_scene(const TomlTable& table, const AssetFolders& folders, 
       throw object.complaint("name", "a name that no other object of the scene has",
                              "\"" + scene.objects.back().name + "\"");
     read_path(object, scene.objects.back(), scene.name, level, clip);
+    read_animation_of(object, scene.objects.back().file, {scene.name, scene.objects.back().name}, clip);
   }
   table.finish();
   if (static_cast<int>(scene.objects.size()) != objects)

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <csignal>
+#include <cstdint>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -117,6 +119,94 @@ TEST(RenderedClips, ADelayOfOneFrameHasTheMeshOfTheFrameBefore) {
   EXPECT_EQ(mesh, record_of(now, "lion", "@001").at("mesh"));
   EXPECT_NE(mesh, record_of(now, "lion", "@002").at("mesh"));
   EXPECT_TRUE(frame_of(late, "beast", "@002") == frame_of(now, "beast", "@002")) << "nothing real moves";
+}
+
+namespace {
+
+/// A box of 1 m whose animation "Rise" lifts it by 1 m in 1 s and turns it by a half turn about the vertical.
+void write_rising_box(const fs::path& path) {
+  std::string bytes;
+  const auto put = [&](const auto& values) {
+    for (const auto value : values) bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+  };
+  for (int corner = 0; corner < 8; ++corner)
+    put(std::array<float, 3>{corner & 1 ? 0.5F : -0.5F, corner & 2 ? 1.0F : 0.0F, corner & 4 ? 0.5F : -0.5F});
+  put(std::array<std::uint32_t, 36>{0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
+                                    2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5});
+  put(std::array<float, 2>{0, 1});
+  put(std::array<float, 6>{0, 0, 0, 0, 1, 0});
+  put(std::array<float, 8>{0, 0, 0, 1, 0, 1, 0, 0});
+  test::write_text(path.parent_path() / "box.bin", bytes);
+  const auto view = [](int from, int length) {
+    return "{\"buffer\":0,\"byteOffset\":" + std::to_string(from) +
+           ",\"byteLength\":" + std::to_string(length) + "}";
+  };
+  const auto accessor = [](int of, int type, const char* kind, int count) {
+    return "{\"bufferView\":" + std::to_string(of) + ",\"componentType\":" + std::to_string(type) +
+           ",\"type\":\"" + kind + "\",\"count\":" + std::to_string(count) + "}";
+  };
+  test::write_text(
+      path,
+      R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":304,"uri":"box.bin"}],"bufferViews":[)" +
+          view(0, 96) + "," + view(96, 144) + "," + view(240, 8) + "," + view(248, 24) + "," + view(272, 32) +
+          R"(],"accessors":[)" + accessor(0, 5126, "VEC3", 8) + "," + accessor(1, 5125, "SCALAR", 36) + "," +
+          accessor(2, 5126, "SCALAR", 2) + "," + accessor(3, 5126, "VEC3", 2) + "," +
+          accessor(4, 5126, "VEC4", 2) +
+          R"(],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],"nodes":[{"mesh":0}],)"
+          R"("scenes":[{"nodes":[0]}],"animations":[{"name":"Rise","channels":[)"
+          R"({"sampler":0,"target":{"node":0,"path":"translation"}},{"sampler":1,"target":{"node":0,"path":"rotation"}}],)"
+          R"("samplers":[{"input":2,"output":3},{"input":2,"output":4}]}]})");
+}
+
+/// The small study's second scene with the box in the place of its left body; `more` goes into that object.
+std::string study_with_box(const std::string& clip, const std::string& file, const std::string& more,
+                           const std::string& camera) {
+  const std::string left = "position_m = [-3.0, 0.0, -7.0]";
+  std::string study = test::small_study_with(
+      {{"depth_width_px = [64, 256, 512, 1024, 2048]", "depth_width_px = [64]\n" + clip},
+       {left, left + "\n" + more}});
+  const std::size_t scene = study.find("name = \"gazebo\"");
+  const std::size_t body = study.find("cube.gltf", scene), first = study.find("[[scene.object]]", scene);
+  study.replace(body, std::string("cube.gltf").size(), file);
+  return study.insert(study.rfind('\n', first) + 1, camera);
+}
+
+}  // namespace
+
+TEST(RenderedClips, AnAnimatedFrameIsTheStillOfThatMomentAndAMovedCameraTheStillFromThere) {
+  const auto render_box = [](const std::string& name, const std::string& study, const std::string& only) {
+    const fs::path folder = test::fresh_folder("clips_" + name);
+    write_rising_box(folder / "box.gltf");
+    test::write_small_study(folder, study);
+    const auto ran =
+        test::run_seamline("render " + (folder / "study.toml").string() + " --out " +
+                           (folder / "set").string() + " --spp 2 --only " + only + " --threads 2");
+    EXPECT_EQ(ran.status, 0) << ran.output;
+    return folder / "set";
+  };
+  const std::string clip = "[clip]\nframes = 3\nframes_per_s = 4\n",
+                    animation = "animation = { name = \"Rise\" }";
+  const auto camera_at = [](const std::string& x_m) {
+    return "[scene.camera]\nposition_m = [" + x_m + ", 1.6, 0]\nlook_at_m = [" + x_m + ", 1.2, -7]\n";
+  };
+  const std::string path =
+      "path = { kind = \"keys\", keys = [{ time_s = 0, position_m = [0, 1.6, 0], look_at_m = [0, 1.2, -7] }, "
+      "{ time_s = 1, position_m = [0.5, 1.6, 0], look_at_m = [0.5, 1.2, -7] }] }\n";
+  const fs::path rising = render_box("rising", study_with_box(clip, "box.gltf", animation, camera_at("0")),
+                                     "gazebo-shadow-beast*");
+  const fs::path risen = render_box("risen", study_with_box("", "box.gltf#Rise@0.5", "", camera_at("0")),
+                                    "gazebo-shadow-beast*");
+  const fs::path going = render_box(
+      "going", study_with_box(clip, "box.gltf", animation, camera_at("0") + path), "gazebo-shadow-beast*");
+  const fs::path there = render_box("there", study_with_box("", "box.gltf#Rise@0.5", "", camera_at("0.25")),
+                                    "gazebo-shadow-beast*");
+  const std::string frame = frame_of(rising, "beast", "@002");
+  ASSERT_FALSE(frame.empty());
+  EXPECT_TRUE(frame == frame_of(risen, "beast", ""));
+  EXPECT_FALSE(frame == frame_of(rising, "beast", "@000"));
+  EXPECT_TRUE(frame_of(going, "beast", "@002") == frame_of(there, "beast", ""));
+  EXPECT_FALSE(frame_of(going, "beast", "@002") == frame);
+  EXPECT_TRUE(frame_of(going, "beast", "@000") == frame_of(rising, "beast", "@000"));
 }
 
 TEST(RenderedClips, PiecesAndThreadsGiveTheSameBytes) {

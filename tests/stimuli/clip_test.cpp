@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "stimuli/definition/clip_frames.h"
+#include "stimuli/definition/moving/file_moment.h"
 #include "stimuli/set/clip_file.h"
 #include "stimuli/study_file/moving/study_file_late_frames.h"
 #include "stimuli/study_file/study_file.h"
@@ -74,6 +76,61 @@ TEST(Clips, KeysAreMetAndJoinedByStraightLines) {
   EXPECT_TRUE(at(2).position_m.isApprox(Eigen::Vector3d(2, 0, 0)));
   EXPECT_TRUE(at(-1).position_m.isZero());
   EXPECT_TRUE(at(99).position_m.isApprox(Eigen::Vector3d(2, 1, 0)));
+}
+
+TEST(Clips, AnAnimationPlaysToItsEndOrAgainAndAgain) {
+  const FileAnimation once{.name = "Open", .from_s = 1, .to_s = 3, .speed = 2};
+  const FileAnimation again{.name = "Open", .from_s = 1, .to_s = 3, .repeats = true, .speed = 2};
+  for (const auto& [time_s, stands_s, turns_s] :
+       {std::array{0.0, 1.0, 1.0}, {0.5, 2.0, 2.0}, {1.25, 3.0, 1.5}, {-0.25, 1.0, 2.5}}) {
+    EXPECT_DOUBLE_EQ(animation_time_s(once, time_s), stands_s) << time_s;
+    EXPECT_DOUBLE_EQ(animation_time_s(again, time_s), turns_s) << time_s;
+  }
+  EXPECT_DOUBLE_EQ(animation_time_s({}, 7), 7);
+}
+
+TEST(Clips, AFileIsNamedWithTheMomentOfItsAnimation) {
+  const NamedFile named = split_moment("a#b/door.GLB#Open #2@up@0.25");
+  EXPECT_EQ(named.file, "a#b/door.GLB");
+  ASSERT_TRUE(named.moment);
+  EXPECT_EQ(named.moment->animation, "Open #2@up");
+  EXPECT_EQ(named.moment->time_s, 0.25);
+  EXPECT_EQ(with_moment("door.glb#Open@1", {"Shut", 1.0 / 3}), "door.glb#Shut@0.3333333333333333");
+  for (const char* file : {"door#2.obj@1", "door.glb#Open", "door.glb#Open@now", "door.glb",
+                           "door.glb#Open@1s", "door.glb#Open@inf"}) {
+    EXPECT_EQ(split_moment(file).file, file);
+    EXPECT_FALSE(split_moment(file).moment) << file;
+  }
+}
+
+TEST(Clips, FramesHaveTheMomentsOfAnimationsAndTheCamerasPlaces) {
+  const std::string text =
+      clip_study(widths, "animation = { name = \"Open\", to_s = 1, repeats = true }\n", clip_table) +
+      "[scene.camera]\npath = { kind = \"keys\", keys = [{ time_s = 0, position_m = [0, 1, 0], look_at_m = [0, 1, -1] },"
+      " { time_s = 2, position_m = [2, 1, 0], look_at_m = [2, 1, -5] }] }\n";
+  const std::vector<SceneDefinition> truths = list_truths(still_study(read_clips(text)));
+  ASSERT_EQ(truths.size(), 4U) << "the camera moves where the animation repeats";
+  EXPECT_EQ(truths[1].objects[0].file, "cube.gltf#Open@0.5");
+  EXPECT_EQ(truths[3].objects[0].file, "cube.gltf#Open@0.5");
+  EXPECT_EQ(truths[0].objects[1].file, "cube.gltf");
+  EXPECT_TRUE(truths[3].camera->position_m.isApprox(Eigen::Vector3d(1.5, 1, 0)));
+  EXPECT_TRUE(truths[3].camera->look_at_m.isApprox(Eigen::Vector3d(1.5, 1, -4)));
+  const std::string door = "\nanimation = { name = \"Door\" }\n";
+  const auto of_background = [&](std::string of) {
+    return of.replace(of.find("file = \"room.glb\""), 0, door);
+  };
+  EXPECT_EQ(list_truths(still_study(read_clips(of_background(clip_study(widths, "", clip_table)))))[2].file,
+            "room.glb#Door@1");
+  const std::string still = complaint_of_clip(of_background(clip_study(widths, "")));
+  EXPECT_NE(still.find("FILE.glb#NAME@SECONDS"), std::string::npos) << still;
+  const std::string late = complaint_of_clip(text + "\n[depth]\ndelay_ms = 40\n");
+  EXPECT_NE(late.find("a camera that moves, found late or held depth"), std::string::npos) << late;
+  std::string up = text;
+  up.replace(up.find("look_at_m = [2, 1, -5]"), 22, "look_at_m = [2, 9, 0.0]");
+  EXPECT_NE(complaint_of_clip(up).find("straight above"), std::string::npos) << complaint_of_clip(up);
+  const std::string endless =
+      complaint_of_clip(clip_study(widths, "animation = { repeats = true }\n", clip_table));
+  EXPECT_NE(endless.find("where in the animation it begins anew"), std::string::npos) << endless;
 }
 
 TEST(Clips, DepthIsHeldBetweenCapturesAndNeverYoungerThanItsDelay) {

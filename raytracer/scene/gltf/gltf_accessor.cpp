@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <tiny_gltf.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -179,6 +180,18 @@ std::vector<Vector> GltfReader::finite_vectors(int index, const std::string& fie
                          .found = fmt::format("none at element {}", i)});
   }
   return result;
+}
+
+std::vector<double> GltfReader::numbers(int index, int wanted_components, const std::string& field) const {
+  std::vector<double> values = components(index, wanted_components, field);
+  const auto wrong =
+      std::find_if(values.begin(), values.end(), [](double one) { return !std::isfinite(one); });
+  if (wrong != values.end())
+    throw input_error({.file = file_,
+                       .field = field,
+                       .wanted = "finite numbers",
+                       .found = fmt::format("none at number {}", wrong - values.begin())});
+  return values;
 }
 
 std::vector<Eigen::Vector3d> GltfReader::vectors(int index, const std::string& field) const {

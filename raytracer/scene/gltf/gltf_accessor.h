@@ -34,6 +34,10 @@ class GltfReader {
   /// Accessor `index` as unsigned scalars; throws InputError unless it is SCALAR of unsigned integers.
   [[nodiscard]] std::vector<std::uint32_t> indices(int index, const std::string& field) const;
 
+  /// All numbers of accessor `index`, element after element: keys of animations. Throws InputError unless it
+  /// has so many components and only finite numbers.
+  [[nodiscard]] std::vector<double> numbers(int index, int components, const std::string& field) const;
+
   /// How many elements accessor `index` claims to have; 0 for one that does not exist. Nothing is read.
   [[nodiscard]] std::int64_t count(int index) const;
 

@@ -123,11 +123,12 @@ void add_pictures(const PictureTables& tables, tinygltf::Model& model) {
 }
 
 /// What a scene needs and no more: what is not there cannot be misread.
-GltfJson needed_part(const std::string& text, const fs::path& path, LeftOut& left_out) {
+GltfJson needed_part(const std::string& text, const fs::path& path, LeftOut& left_out, GltfJson* animations) {
   require_bounded_json(text, path.string());
   GltfJson json = GltfJson::parse(text, nullptr, false);
   if (!json.is_object()) throw bad_gltf(path, "", "a whole glTF 2.0 file", "one whose JSON is damaged");
   require_readable(json, path);
+  if (animations != nullptr) *animations = take_table(json, "animations", path);
   note_unread(json, left_out);
   for (const char* unread : {"animations", "extras"}) json.erase(unread);
   if (const GltfJson* skins = member(json, "skins"); skins != nullptr && !skins->is_array())
@@ -158,11 +159,11 @@ tinygltf::Model parse(const std::string& text, const fs::path& path) {
 
 }  // namespace
 
-tinygltf::Model load_gltf(const fs::path& path, LeftOut& left_out) {
+tinygltf::Model load_gltf(const fs::path& path, LeftOut& left_out, GltfJson* animations) {
   std::error_code error;
   if (!fs::is_regular_file(path, error)) throw bad_gltf(path, "", "a .gltf or .glb file", "no such file");
   GltfText text = split(read_file(path, limits::largest_scene_file_bytes), path);
-  GltfJson json = needed_part(text.json, path, left_out);
+  GltfJson json = needed_part(text.json, path, left_out, animations);
   text.json.clear();
   const PictureTables pictures{.images = take_table(json, "images", path),
                                .textures = take_table(json, "textures", path),

@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "raytracer/scene/gltf/gltf_extensions.h"
+#include "raytracer/scene/gltf/gltf_json.h"
 
 namespace tinygltf {
 class Model;
@@ -14,6 +15,8 @@ namespace seamline::renderer {
 /// `left_out`. The library that does it trusts what it reads in several places, so the file's size, the depth
 /// of its nesting and the sizes of its buffers are checked first (limits.h), and buffers are read only from
 /// the file's own folder or below it. Throws InputError naming the file and what in it is wrong.
-[[nodiscard]] tinygltf::Model load_gltf(const std::filesystem::path& path, LeftOut& left_out);
+/// `animations`, where it is asked for, gets the file's table of them, unread.
+[[nodiscard]] tinygltf::Model load_gltf(const std::filesystem::path& path, LeftOut& left_out,
+                                        GltfJson* animations = nullptr);
 
 }  // namespace seamline::renderer

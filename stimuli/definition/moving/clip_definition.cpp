@@ -18,9 +18,20 @@ std::string point_text(const Eigen::Vector3d& v) {
   return fmt::format("[{},{},{}]", v.x(), v.y(), v.z());
 }
 
-ObjectPose pose_between(const MotionKey& from, const MotionKey& to, double time_s) {
+template <class Key>
+double share_between(const Key& from, const Key& to, double time_s) {
   const double between_s = to.time_s - from.time_s;
-  const double share = between_s > 0 ? (time_s - from.time_s) / between_s : 0;
+  return between_s > 0 ? (time_s - from.time_s) / between_s : 0;
+}
+
+/// The first key after a time, of keys that rise.
+template <class Key>
+auto key_after(const std::vector<Key>& keys, double time_s) {
+  return std::find_if(keys.begin(), keys.end(), [&](const Key& key) { return key.time_s > time_s; });
+}
+
+ObjectPose pose_between(const MotionKey& from, const MotionKey& to, double time_s) {
+  const double share = share_between(from, to, time_s);
   return {.position_m = from.pose.position_m + share * (to.pose.position_m - from.pose.position_m),
           .rotation_deg = from.pose.rotation_deg + share * (to.pose.rotation_deg - from.pose.rotation_deg)};
 }
@@ -36,8 +47,7 @@ ObjectPose on_line(const LineMotion& line, ObjectPose pose, double gone_m) {
 }
 
 ObjectPose on_keys(const KeyedMotion& path, double time_s) {
-  const auto after = std::find_if(path.keys.begin(), path.keys.end(),
-                                  [&](const MotionKey& key) { return key.time_s > time_s; });
+  const auto after = key_after(path.keys, time_s);
   if (after == path.keys.begin()) return path.keys.front().pose;
   if (after == path.keys.end()) return path.keys.back().pose;
   return pose_between(*std::prev(after), *after, time_s);
@@ -86,6 +96,25 @@ ObjectPose pose_at(const ObjectMotion& motion, const ObjectPose& start, double t
                     motion);
 }
 
+double animation_time_s(const FileAnimation& animation, double time_s) {
+  const double gone_s = animation.speed * time_s;
+  if (!animation.to_s) return animation.from_s + gone_s;
+  const double whole_s = *animation.to_s - animation.from_s;
+  if (animation.repeats) return animation.from_s + gone_s - whole_s * std::floor(gone_s / whole_s);
+  return animation.from_s + std::clamp(gone_s, 0.0, whole_s);
+}
+
+CameraKey camera_at(const CameraMotion& motion, double time_s) {
+  const auto after = key_after(motion.keys, time_s);
+  if (after == motion.keys.begin()) return motion.keys.front();
+  if (after == motion.keys.end()) return motion.keys.back();
+  const CameraKey &from = *std::prev(after), &to = *after;
+  const double share = share_between(from, to, time_s);
+  return {.time_s = time_s,
+          .position_m = from.position_m + share * (to.position_m - from.position_m),
+          .look_at_m = from.look_at_m + share * (to.look_at_m - from.look_at_m)};
+}
+
 double capture_time_s(const DepthClock& clock, double time_s) {
   const double newest_s = time_s - clock.delay_ms / 1000;
   if (clock.frames_per_s == 0) return newest_s;
@@ -97,6 +126,17 @@ std::string canonical_text(const ClipDefinition& clip) {
                                  clip.loops ? "loop" : "once", word(clip.question));
   for (const auto& [object, motion] : clip.motions)
     text += fmt::format("path {} {} {}\n", object.first, object.second, motion_text(motion));
+  for (const auto& [object, animation] : clip.animations)
+    text += fmt::format("animation {} {} \"{}\" from {} to {}{} speed {}\n", object.first, object.second,
+                        animation.name, animation.from_s,
+                        animation.to_s ? fmt::format("{}", *animation.to_s) : std::string("its end"),
+                        animation.repeats ? " again and again" : "", animation.speed);
+  for (const auto& [scene, motion] : clip.cameras) {
+    text += fmt::format("camera of {}", scene);
+    for (const CameraKey& key : motion.keys)
+      text += fmt::format(" {} {} {}", key.time_s, point_text(key.position_m), point_text(key.look_at_m));
+    text += "\n";
+  }
   for (const auto& [condition, clock] : clip.clocks)
     if (clock != DepthClock{})
       text +=

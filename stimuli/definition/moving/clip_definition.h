@@ -41,6 +41,28 @@ struct KeyedMotion {
   std::vector<MotionKey> keys;  ///< one at least, rising
 };
 
+/// An animation of a glTF file that plays while a clip is shown: from `from_s` to `to_s` of its own time,
+/// then it stands, or begins anew at `from_s`.
+struct FileAnimation {
+  std::string name;  ///< empty: the file's only one
+  double from_s = 0;
+  std::optional<double> to_s = {};  ///< none: to its end
+  bool repeats = false;             ///< with an end only
+  double speed = 1;                 ///< its seconds in one second
+};
+
+/// Where the camera is at a time, and what it looks at.
+struct CameraKey {
+  double time_s = 0;
+  Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
+  Eigen::Vector3d look_at_m = -Eigen::Vector3d::UnitZ();
+};
+
+/// As a keyed path of an object.
+struct CameraMotion {
+  std::vector<CameraKey> keys;  ///< two at least, rising
+};
+
 /// How an object moves while a clip is shown.
 using ObjectMotion = std::variant<LineMotion, TurnMotion, KeyedMotion>;
 
@@ -64,8 +86,11 @@ struct ClipDefinition {
   bool loops = true;  ///< it begins anew after its last frame; else the last frame stays
   ClipQuestion question = ClipQuestion::during;
   std::map<std::pair<std::string, std::string>, ObjectMotion> motions;  ///< by scene and object
-  std::map<std::string, DepthClock> clocks;  ///< by condition, "" where there are none
-  bool are_conditions = false;               ///< the study's conditions are the frames (`study_of_frames`)
+  /// By scene and object; "" for an object: the background.
+  std::map<std::pair<std::string, std::string>, FileAnimation> animations;
+  std::map<std::string, CameraMotion> cameras;  ///< by scene
+  std::map<std::string, DepthClock> clocks;     ///< by condition, "" where there are none
+  bool are_conditions = false;                  ///< the study's conditions are the frames (`study_of_frames`)
 };
 
 [[nodiscard]] std::string_view word(ClipQuestion question);
@@ -74,6 +99,12 @@ struct ClipDefinition {
 /// backwards. `speed_m_s` is that of lines, where the level says it.
 [[nodiscard]] ObjectPose pose_at(const ObjectMotion& motion, const ObjectPose& start, double time_s,
                                  const std::optional<double>& speed_m_s);
+
+/// The animation's own time at a time of the clip.
+[[nodiscard]] double animation_time_s(const FileAnimation& animation, double time_s);
+
+/// A camera's key at a time, between keys on the straight line between them.
+[[nodiscard]] CameraKey camera_at(const CameraMotion& motion, double time_s);
 
 /// When the depth was captured that is at hand at a time: the last capture that is at least as old as the
 /// delay.

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "stimuli/definition/looks/study_look.h"
+#include "stimuli/definition/moving/file_moment.h"
 #include "stimuli/definition/stimulus.h"
 #include "support/text/limits.h"
 
@@ -20,6 +21,10 @@ Eigen::Vector3d vector_of(const std::array<double, 3>& values) {
   return {values[0], values[1], values[2]};
 }
 
+Eigen::Vector3d read_place(const TomlTable& key, const char* name) {
+  return vector_of(key.triple(name, {0, 0, 0}, {-farthest_m, farthest_m, "m"}));
+}
+
 /// Which of two words a key has; the first where it has none.
 bool is_second(const TomlTable& table, const char* key, const char* first, const char* second) {
   const std::string word = table.text(key, first);
@@ -31,7 +36,7 @@ bool is_second(const TomlTable& table, const char* key, const char* first, const
 LineMotion read_line(const TomlTable& path, const Eigen::Vector3d& position_m, Quantity level) {
   LineMotion line;
   if (!path.has("to_m")) throw path.complaint("to_m", "where the line ends", "nothing");
-  line.to_m = vector_of(path.triple("to_m", {0, 0, 0}, {-farthest_m, farthest_m, "m"}));
+  line.to_m = read_place(path, "to_m");
   if ((line.to_m - position_m).norm() < 1e-6)
     throw path.complaint("to_m", "another place than the object's position_m", "the same");
   line.comes_back = !is_second(path, "then", "back", "stop");
@@ -44,24 +49,37 @@ LineMotion read_line(const TomlTable& path, const Eigen::Vector3d& position_m, Q
   return line;
 }
 
-KeyedMotion read_keys(const TomlTable& path) {
-  KeyedMotion keyed;
+/// The keys of a path, which rise. `read` fills one from its table.
+template <class Key, class Read>
+std::vector<Key> read_keys(const TomlTable& path, const Read& read) {
+  std::vector<Key> keys;
   for (const TomlTable& one : path.tables("keys")) {
-    MotionKey key;
+    Key key;
     key.time_s = one.number("time_s", 0, {-longest_s, longest_s, "s"});
-    key.pose.position_m = vector_of(one.triple("position_m", {0, 0, 0}, {-farthest_m, farthest_m, "m"}));
-    key.pose.rotation_deg = vector_of(one.triple("rotation_deg", {0, 0, 0}, {-36000, 36000, "degrees"}));
+    read(one, key);
     one.finish();
-    if (!keyed.keys.empty() && key.time_s <= keyed.keys.back().time_s)
+    if (!keys.empty() && key.time_s <= keys.back().time_s)
       throw one.complaint("time_s",
-                          fmt::format("a time after {} s, that of the key before", keyed.keys.back().time_s),
+                          fmt::format("a time after {} s, that of the key before", keys.back().time_s),
                           fmt::format("{} s", key.time_s));
-    keyed.keys.push_back(key);
+    keys.push_back(key);
   }
-  if (keyed.keys.size() < 2 || keyed.keys.size() > most_keys)
-    throw path.complaint("keys", fmt::format("2 to {} keys", most_keys),
-                         fmt::format("{}", keyed.keys.size()));
-  return keyed;
+  if (keys.size() < 2 || keys.size() > most_keys)
+    throw path.complaint("keys", fmt::format("2 to {} keys", most_keys), fmt::format("{}", keys.size()));
+  return keys;
+}
+
+/// Or down, or nowhere.
+bool looks_straight_up(const CameraKey& key) {
+  const Eigen::Vector3d view = key.look_at_m - key.position_m;
+  return view.cross(Eigen::Vector3d::UnitY()).norm() <= 1e-9 * view.norm();
+}
+
+KeyedMotion read_keyed(const TomlTable& path) {
+  return {read_keys<MotionKey>(path, [](const TomlTable& one, MotionKey& key) {
+    key.pose.position_m = read_place(one, "position_m");
+    key.pose.rotation_deg = vector_of(one.triple("rotation_deg", {0, 0, 0}, {-36000, 36000, "degrees"}));
+  })};
 }
 
 /// Why a condition's pictures cannot be frames of a clip: key, wanted, found.
@@ -110,17 +128,41 @@ bool some_depth_boils(const StudyDefinition& study) {
   });
 }
 
+/// A late depth map would be of another place than the photograph.
+void check_cameras(const TomlTable& table, const StudyDefinition& study) {
+  const ClipDefinition& clip = *study.clip;
+  if (clip.cameras.empty()) return;
+  const Quantity level = study.level.quantity;
+  const bool is_late = std::any_of(clip.clocks.begin(), clip.clocks.end(),
+                                   [](const auto& one) { return one.second != DepthClock{}; });
+  if (is_late || level == Quantity::depth_delay_ms || level == Quantity::depth_frames_per_s)
+    throw table.complaint("scene.camera.path", "depth of the picture's own moment beside a camera that moves",
+                          "late or held depth");
+  for (const auto& [scene, motion] : clip.cameras)
+    for (int frame = 0; frame < clip.frames; ++frame) {
+      const CameraKey key = camera_at(motion, frame / clip.frames_per_s);
+      if (looks_straight_up(key))
+        throw table.complaint("scene.camera.path", "a camera that never looks straight up, down or at itself",
+                              fmt::format("one that does in frame {} of the scene \"{}\"", frame, scene));
+    }
+}
+
 void check_motions(const TomlTable& table, const StudyDefinition& study) {
   const ClipDefinition& clip = *study.clip;
-  if (clip.motions.empty() && !some_depth_boils(study))
-    throw table.complaint("clip", "an object with a path in some scene, or depth with noise", "neither");
+  if (clip.motions.empty() && clip.animations.empty() && clip.cameras.empty() && !some_depth_boils(study))
+    throw table.complaint(
+        "clip",
+        "an object with a path, an animation, or a camera with a path in some scene, or depth with noise",
+        "nothing of these");
+  check_cameras(table, study);
   for (const SceneDefinition& scene : study.scenes) {
     if (study.level.quantity == Quantity::object_speed_m_s && !some_line_moves(clip, scene.name))
       throw table.complaint("level.quantity", "an object on a line in every scene",
                             "none in the scene \"" + scene.name + "\"");
     for (const ObjectDefinition& object : scene.objects)
-      if (object.rest && clip.motions.contains({scene.name, object.name}))
-        throw table.complaint("scene.object.rest", "one of rest and path",
+      if (object.rest && (clip.motions.contains({scene.name, object.name}) ||
+                          clip.animations.contains({scene.name, object.name})))
+        throw table.complaint("scene.object.rest", "one of rest and path, or of rest and animation",
                               "both of the object \"" + object.name + "\"");
   }
 }
@@ -150,9 +192,42 @@ ObjectMotion read_motion(const TomlTable& path, const Eigen::Vector3d& position_
     motion = TurnMotion{.speed_deg_s =
                             path.number("speed_deg_s", 0, {-fastest_deg_s, fastest_deg_s, "degrees/s"})};
   else if (kind == "keys")
-    motion = read_keys(path);
+    motion = read_keyed(path);
   else
     throw path.complaint("kind", "\"line\" or \"turn\" or \"keys\"", "\"" + kind + "\"");
+  path.finish();
+  return motion;
+}
+
+FileAnimation read_animation(const TomlTable& animation, const std::string& file) {
+  const NamedFile named = split_moment(file);
+  if (named.moment)
+    throw animation.complaint("name", "a file without a moment beside `animation`, which says the moment",
+                              "\"" + file + "\"");
+  FileAnimation out{.name = animation.text("name", "")};
+  out.from_s = animation.number("from_s", 0, {0, longest_s, "s"});
+  if (animation.has("to_s")) out.to_s = animation.number("to_s", 0, {0, longest_s, "s"});
+  out.speed = animation.number("speed", 1, {-100, 100});
+  out.repeats = animation.boolean("repeats", false);
+  animation.finish();
+  if (out.to_s && *out.to_s <= out.from_s)
+    throw animation.complaint("to_s", fmt::format("a time after from_s, {} s", out.from_s),
+                              fmt::format("{} s", *out.to_s));
+  if (out.repeats && !out.to_s)
+    throw animation.complaint("to_s", "where in the animation it begins anew", "nothing");
+  return out;
+}
+
+CameraMotion read_camera_motion(const TomlTable& path) {
+  if (const std::string kind = path.text("kind"); kind != "keys")
+    throw path.complaint("kind", "\"keys\" for a camera", "\"" + kind + "\"");
+  CameraMotion motion{read_keys<CameraKey>(path, [](const TomlTable& one, CameraKey& key) {
+    key.position_m = read_place(one, "position_m");
+    key.look_at_m = read_place(one, "look_at_m");
+    if (looks_straight_up(key))
+      throw one.complaint("look_at_m", "a point that is not straight above, below or at the camera",
+                          "no such point");
+  })};
   path.finish();
   return motion;
 }

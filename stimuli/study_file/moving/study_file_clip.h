@@ -14,6 +14,12 @@ namespace seamline::inline stimuli {
 [[nodiscard]] ObjectMotion read_motion(const TomlTable& path, const Eigen::Vector3d& position_m,
                                        Quantity level);
 
+/// `animation` of an object or of a scene, whose `file` it plays.
+[[nodiscard]] FileAnimation read_animation(const TomlTable& animation, const std::string& file);
+
+/// `path` of a camera.
+[[nodiscard]] CameraMotion read_camera_motion(const TomlTable& path);
+
 /// Throws InputError for what a study of clips cannot have, and for what only such a study has, where it is
 /// none.
 void check_clip(const TomlTable& table, const StudyDefinition& study);
