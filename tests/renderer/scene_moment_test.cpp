@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -81,6 +82,28 @@ class AnimatedFile : public testing::Test {
   std::string buffer_, views_, texts_, channels_, samplers_;
   int accessors_ = 0, times_ = -1, made_ = 0;
 };
+
+TEST(SceneMoments, VerticesAreWhereThreeJsHasThem) {
+  const std::filesystem::path data = std::filesystem::path(SEAMLINE_SOURCE_DIR) / "tests" / "data";
+  const nlohmann::json theirs = nlohmann::json::parse(read_file(data / "animations.json"));
+  std::size_t compared = 0;
+  for (const auto& moment : theirs.at("moments")) {
+    const SceneFile file = read_scene_moment(data / "animations.gltf", MaterialModel::diffuse,
+                                             Transparency::refused, FileMoment{"All", moment.at("time_s")});
+    ASSERT_EQ(file.meshes.size(), moment.at("meshes").size());
+    for (std::size_t m = 0; m < file.meshes.size(); ++m) {
+      const auto& mesh = moment.at("meshes").at(m);
+      EXPECT_EQ(file.meshes[m].name, mesh.at("name"));
+      ASSERT_EQ(file.meshes[m].positions_m.size(), mesh.at("positions").size());
+      for (std::size_t i = 0; i < file.meshes[m].positions_m.size(); ++i)
+        for (std::size_t axis = 0; axis < 3; ++axis, ++compared)
+          EXPECT_NEAR(file.meshes[m].positions_m[i][static_cast<Eigen::Index>(axis)],
+                      mesh.at("positions").at(i).at(axis).get<double>(), 2e-4)
+              << moment.at("time_s") << " s, " << file.meshes[m].name << " " << i;
+    }
+  }
+  EXPECT_EQ(compared, 6U * 3 * 9 * 3);
+}
 
 TEST_F(AnimatedFile, LinesStepsAndTurnsMoveTheNodesBelow) {
   animate(0, "translation", "LINEAR", {0, 0, 0, 2, 4, 6, 2, 4, 0}, "VEC3", 3);
