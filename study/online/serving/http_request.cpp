@@ -83,52 +83,53 @@ std::size_t plain_head_bytes(std::size_t method_bytes, std::size_t target_bytes,
 std::variant<RequestHead, HeadFault> read_head(const std::string& method, const std::string& path,
                                                const HeaderFields& fields) {
   if (method != "GET" && method != "HEAD" && method != "POST")
-    return HeadFault{405, "method: wanted GET, HEAD or POST, found another one"};
+    return HeadFault{405, "This method is not supported. Use GET, HEAD or POST."};
   if (path.empty() || path.front() != '/' || path.size() > most_path_bytes || is_odd(path))
-    return HeadFault{404, "path: wanted one of this study, found another one"};
-  if (fields.size() > most_fields) return HeadFault{431, "headers: wanted at most 100, found more"};
+    return HeadFault{404, "No such path."};
+  if (fields.size() > most_fields) return HeadFault{431, "More than 100 header fields."};
   // What may stand once: where it stood twice, two programs on the way could each believe another one.
   std::map<std::string, std::string> once;
   for (const auto& [name, value] : fields) {
     const std::string key = lower(name);
     if (key.empty() || is_odd(name) || is_odd(value))
-      return HeadFault{400, "headers: wanted text, found control characters"};
+      return HeadFault{400, "A header field holds control characters."};
     if (key.find_first_of(" \t") != std::string::npos)
-      return HeadFault{400, "headers: wanted names without spaces, found one with"};
+      return HeadFault{400, "A header field has a space in its name."};
     if (key == "transfer-encoding")
-      return HeadFault{501, "Transfer-Encoding: wanted a Content-Length, found an encoding"};
+      return HeadFault{501, "Transfer-Encoding is not supported. Send a Content-Length."};
     if (key == "content-encoding")
-      return HeadFault{415, "Content-Encoding: wanted plain text, found an encoding"};
+      return HeadFault{415, "Content-Encoding is not supported. Send plain text."};
     if (key == "content-length" || key == "host" || key == "authorization" || key == "origin" ||
         key == "expect" || key == "content-type" || key == "if-none-match")
-      if (!once.emplace(key, value).second) return HeadFault{400, key + ": wanted it once, found it twice"};
+      if (!once.emplace(key, value).second)
+        return HeadFault{400, "The header field " + key + " stands twice."};
   }
   RequestHead head{.method = method, .path = path};
   if (const auto host = once.find("host"); host != once.end()) head.host = without_port(host->second);
-  if (head.host.empty()) return HeadFault{400, "Host: wanted one, found none"};
+  if (head.host.empty()) return HeadFault{400, "The header field Host is missing."};
   const auto length = once.find("content-length");
   if (method == "POST") {
-    if (length == once.end()) return HeadFault{411, "Content-Length: wanted one, found none"};
+    if (length == once.end()) return HeadFault{411, "The header field Content-Length is missing."};
     head.content_bytes = length_of(length->second);
-    if (head.content_bytes < 0) return HeadFault{400, "Content-Length: wanted digits, found something else"};
+    if (head.content_bytes < 0) return HeadFault{400, "Content-Length is not a number."};
     if (head.content_bytes > most_request_bytes)
-      return HeadFault{413, "Content-Length: wanted at most 1048576 bytes, found more"};
+      return HeadFault{413, "The body has more than 1048576 bytes."};
   } else if (length != once.end() && length->second != "0") {
-    return HeadFault{400, "Content-Length: wanted none in a request without a body, found one"};
+    return HeadFault{400, "This request may have no body."};
   }
-  if (once.contains("expect")) return HeadFault{417, "Expect: wanted none, found one"};
+  if (once.contains("expect")) return HeadFault{417, "The header field Expect is not supported."};
   if (const auto origin = once.find("origin"); origin != once.end()) {
     const auto host = once.find("host");
     if (host == once.end() || lower(host_of(origin->second)) != lower(host->second))
-      return HeadFault{403, "Origin: wanted this server's own page, found another one"};
+      return HeadFault{403, "Only this server's own page may ask (Origin)."};
   }
   if (const auto authorization = once.find("authorization"); authorization != once.end()) {
     const std::string scheme = "bearer ";
     if (lower(authorization->second.substr(0, scheme.size())) != scheme)
-      return HeadFault{401, "Authorization: wanted Bearer and a secret, found something else"};
+      return HeadFault{401, "Authorization must be Bearer and a secret of 64 hexadecimal digits."};
     head.secret = authorization->second.substr(scheme.size());
     if (head.secret.size() != 64 || head.secret.find_first_not_of("0123456789abcdef") != std::string::npos)
-      return HeadFault{401, "Authorization: wanted Bearer and a secret, found something else"};
+      return HeadFault{401, "Authorization must be Bearer and a secret of 64 hexadecimal digits."};
   }
   if (const auto version = once.find("if-none-match"); version != once.end())
     head.known_version = version->second;

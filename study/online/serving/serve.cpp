@@ -62,8 +62,8 @@ void check_recruitment(const ServeRequest& request, const SiteFiles& site, const
 std::optional<HttpResponse> not_this_host() {
   return HttpResponse{.status = 421,
                       .body =
-                          "{\"error\":\"Host: wanted an address in figures, localhost or a name of "
-                          "--host, found another one\"}"};
+                          "{\"error\":\"This server does not answer to this name. Its operator can "
+                          "name it with --host.\"}"};
 }
 
 /// What was refused, counted, so that a flood of requests is not a flood of lines.

@@ -33,12 +33,11 @@ HttpResponse error(int status, const std::string& sentence, const std::string& r
 HttpResponse nobody(const std::string& secret, bool anybody_was_deleted) {
   if (is_sha256(secret) && !anybody_was_deleted)  // a secret has its form: 64 hexadecimal digits
     return error(503, "Authorization: the server's log knows nobody of this secret; is it the study's log?");
-  return error(401, "Authorization: wanted the secret of a participant, found another one",
-               is_sha256(secret) ? "forgotten" : "");
+  return error(401, "No participant has this secret.", is_sha256(secret) ? "forgotten" : "");
 }
 
 HttpResponse no_experimenter() {
-  return error(401, "Authorization: wanted the secret of the experimenter, found another one");
+  return error(401, "This is not the experimenter's secret.");
 }
 
 int status_of(RefusalKind kind) {
@@ -141,7 +140,7 @@ StudyService::StudyService(const SiteFiles& site, Intake& intake, const ServiceH
 HttpResponse StudyService::file(const HttpRequest& request) const {
   if (watch_ != nullptr && request.head.path == "/watch") return {.status = 200, .file = watch_->page()};
   const auto found = site_.by_path.find(request.head.path);
-  if (found == site_.by_path.end()) return error(404, "path: wanted one of this study, found another one");
+  if (found == site_.by_path.end()) return error(404, "No such path.");
   if (request.head.known_version == found->second->version) return {.status = 304};
   return {.status = 200, .file = found->second};
 }
@@ -166,11 +165,12 @@ bool StudyService::may_ask(const HttpRequest& request, const std::string& code) 
 
 std::optional<HttpResponse> StudyService::admit(const RequestHead& head) {
   if (!is_api(head.path))
-    return head.method == "POST" ? std::optional(error(405, "method: wanted GET, found POST")) : std::nullopt;
-  if (head.method != method_of(head.path)) return error(405, "method: wanted another one, see the protocol");
+    return head.method == "POST" ? std::optional(error(405, "Pages and files are read with GET."))
+                                 : std::nullopt;
+  if (head.method != method_of(head.path)) return error(405, "This path does not take this method.");
   if (head.path == "/api/enrol")
     return head.content_bytes > static_cast<std::int64_t>(most_line_bytes)
-               ? std::optional(error(413, "Content-Length: wanted at most 65536 bytes, found more"))
+               ? std::optional(error(413, "The body has more than 65536 bytes."))
                : std::nullopt;
   if (head.path == "/api/watch")
     return watch_ == nullptr || !watch_->is_key(head.secret) ? std::optional(no_experimenter())
@@ -182,7 +182,7 @@ std::optional<HttpResponse> StudyService::admit(const RequestHead& head) {
 std::optional<HttpResponse> StudyService::now(const HttpRequest& request) {
   const std::string& path = request.head.path;
   if (!is_api(path)) {
-    if (!may_ask(request, {})) return error(429, "requests: wanted fewer a second, found more");
+    if (!may_ask(request, {})) return error(429, "Too many requests a second.");
     if (path == "/health") return health();
     if (path == "/host.json") return answer({{"kind", "serve"}});
     return file(request);
@@ -190,14 +190,14 @@ std::optional<HttpResponse> StudyService::now(const HttpRequest& request) {
   if (path == "/api/enrol") {
     const bool newcomer =
         request.address.empty() || newcomer_rate_.allows(request.address, RateLimit::Clock::now());
-    if (!newcomer || !may_ask(request, {})) return error(429, "requests: wanted fewer a second, found more");
+    if (!newcomer || !may_ask(request, {})) return error(429, "Too many requests a second.");
     return std::nullopt;
   }
   if (path == "/api/watch" && (watch_ == nullptr || !watch_->is_key(request.head.secret)))
     return no_experimenter();
   const std::string code = path == "/api/watch" ? "the experimenter" : code_of(request.head.secret);
   if (code.empty()) return nobody(request.head.secret, anybody_was_deleted_);
-  if (!may_ask(request, code)) return error(429, "requests: wanted fewer a second, found more");
+  if (!may_ask(request, code)) return error(429, "Too many requests a second.");
   return std::nullopt;
 }
 
@@ -240,8 +240,7 @@ void StudyService::later(HttpRequest request, Reply reply) {
           for (const Trial& shown : intake.pictures_of(due->second)) {
             const auto picture =
                 site_.picture_of.find(std::string(word(shown.kind)) + " " + intake.names().name_of(shown));
-            if (picture == site_.picture_of.end())
-              return error(500, "picture: wanted one of the page, found none");
+            if (picture == site_.picture_of.end()) return error(500, "The page has no such picture.");
             pictures.push_back(picture->second);
           }
           Json trial = {{"trial_index", due->first},
@@ -267,17 +266,16 @@ void StudyService::enrol(const HttpRequest& request, const Reply& reply) {
     return reply(error(400, wrong.what()));
   }
   const std::string token = wanted.token.empty() ? std::string() : sha256(wanted.token);
-  if (invitations_ == nullptr && !token.empty())
-    return reply(error(400, "token: wanted none, since this server asks for none, found one"));
+  if (invitations_ == nullptr && !token.empty()) return reply(error(400, "This server asks for no token."));
   if (desk_ == nullptr && !wanted.identifiers.empty())
-    return reply(error(400, "identifiers: wanted none, since the study has no [recruitment], found some"));
+    return reply(error(400, "The study has no [recruitment], so it takes no identifiers."));
   if (invitations_ != nullptr && !invitations_->has(token))
-    return reply(error(403, "invitation in the link: wanted one to this study, found another one or none"));
+    return reply(error(403, "The link has no invitation to this study."));
   if (std::holds_alternative<DeclineBody>(wanted.message.body)) return decline(wanted, reply);
   if (std::get<EnrolBody>(wanted.message.body).pilot != site_.pilot)
-    return reply(error(400, "body.pilot: wanted what the page was exported with, found the contrary"));
+    return reply(error(400, "body.pilot is not what the page was exported with."));
   if (participants_ >= limits_.most_participants)
-    return reply(error(503, "participants: wanted fewer than there may be, found as many"));
+    return reply(error(503, "As many participants as there may be have begun."));
   std::string secret;
   {
     const std::shared_lock guard(secrets_lock_);
