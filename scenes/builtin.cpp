@@ -5,6 +5,7 @@
 #include "scenes/objects/objects.h"
 #include "scenes/rooms/backgrounds.h"
 #include "scenes/rooms/furniture.h"
+#include "scenes/rooms/plans.h"
 #include "scenes/shapes/polygonise.h"
 
 namespace seamline::scenes {
@@ -28,12 +29,9 @@ TriangleMesh cast_in_triangles(const Sculpture& sculpture, double cell_m, const 
 }  // namespace
 
 SceneContents builtin_scene(std::string_view name) {
-  if (name == "bedroom") return make_bedroom();
-  if (name == "gazebo") return make_gazebo();
-  if (name == "atrium") return make_atrium();
-  if (name == "bedroom_v1") return make_bedroom(RoomVersion::first);
-  if (name == "gazebo_v1") return make_gazebo(RoomVersion::first);
-  if (name == "atrium_v1") return make_atrium(RoomVersion::first);
+  if (name == "bedroom") return make_room({});
+  if (name == "gazebo") return make_pavilion({});
+  if (name == "atrium") return make_arcade({});
   if (name == "painted_room") return make_painted_room();
   if (name == "furnished_room") return make_furnished_room();
   if (name == "loft") return make_loft(LoftWindows::glowing);

@@ -7,9 +7,8 @@
 
 namespace seamline::scenes {
 
-inline constexpr std::array<std::string_view, 10> builtin_scene_names = {
-    "bedroom", "gazebo",    "atrium",     "furnished_room", "painted_room",
-    "loft",    "loft_open", "bedroom_v1", "gazebo_v1",      "atrium_v1"};
+inline constexpr std::array<std::string_view, 7> builtin_scene_names = {
+    "bedroom", "gazebo", "atrium", "furnished_room", "painted_room", "loft", "loft_open"};
 inline constexpr std::array<std::string_view, 6> builtin_object_names = {"statue", "teapot", "creature",
                                                                          "beast",  "lion",   "dragon"};
 inline constexpr std::array<std::string_view, 1> builtin_furniture_names = {"chair"};

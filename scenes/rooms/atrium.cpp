@@ -204,12 +204,10 @@ struct ArcadeBuilder : ArcadePlan {
       append(upper, transformed(make_column(2.3, 0.2), above));
       append(screens, make_screen(eye_m, axis, 0, spring_m));
       if (i == bays) continue;
-      if (has_openwork) {
-        append(screens, make_rail_screen(eye_m, axis));
-        for (int k = 0; k < balusters; ++k)
-          append(screens, make_screen(eye_m, axis + Vector3d(baluster_x_m(k), 0, 0), 0.5, rail_m));
-        append(openwork, transformed(make_openwork(beads + i % 3), there));
-      }
+      append(screens, make_rail_screen(eye_m, axis));
+      for (int k = 0; k < balusters; ++k)
+        append(screens, make_screen(eye_m, axis + Vector3d(baluster_x_m(k), 0, 0), 0.5, rail_m));
+      append(openwork, transformed(make_openwork(beads + i % 3), there));
       append(arches, transformed(make_arch(spring_m, storey_m - 0.2), there));
       append(upper, transformed(make_arch(2.3, 3.8), above));
       append(ornament, transformed(make_ornament(spring_m), there));
@@ -220,7 +218,7 @@ struct ArcadeBuilder : ArcadePlan {
     }
     add(court, "plinths", make_plinths());
     add(court, "columns", columns);
-    if (has_openwork) add(court, "openwork", openwork);
+    add(court, "openwork", openwork);
     add(court, "arches", arches);
     add(court, "gallery_arcade", upper);
     add(court, "balustrade", balustrade);
@@ -262,14 +260,6 @@ struct ArcadeBuilder : ArcadePlan {
 
 SceneContents make_arcade(const ArcadePlan& plan) {
   return atrium_parts::ArcadeBuilder{plan}.court();
-}
-
-SceneContents make_atrium(RoomVersion version) {
-  if (version == RoomVersion::today) return make_arcade({});
-  return make_arcade(
-      {.has_openwork = false,
-       .camera = {
-           .position_m = {2.2, 1.75, 0.9}, .look_at_m = {0.15, 2.45, -7.5}, .vertical_fov_rad = 0.74}});
 }
 
 }  // namespace seamline::scenes

@@ -3,18 +3,6 @@
 
 namespace seamline::scenes {
 
-/// `first` is what published numbers of speed and convergence rest on; its bytes stay.
-enum class RoomVersion { first, today };
-
-/// A room open to the left, where a low sun comes in: floor, walls, ceiling, and furniture of cuboids.
-[[nodiscard]] SceneContents make_bedroom(RoomVersion version = RoomVersion::today);
-
-/// An open pavilion on a lawn with the sun behind it, whose shadow reaches towards the camera.
-[[nodiscard]] SceneContents make_gazebo(RoomVersion version = RoomVersion::today);
-
-/// A court of two storeys of arcades, with screens behind its columns (paper section 4.1.1). No sun.
-[[nodiscard]] SceneContents make_atrium(RoomVersion version = RoomVersion::today);
-
 /// A living room open to the left with over sixty pieces of furniture, under a sun at 24 degrees: where times
 /// to an error are measured against other renderers.
 [[nodiscard]] SceneContents make_furnished_room();

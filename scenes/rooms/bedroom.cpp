@@ -47,28 +47,6 @@ struct RoomBuilder : RoomPlan {
     add(room, "pillow", {piece(x + 0.8, z - 0.08, bed_height_m, {0.42, 0.13, 0.6})});
   }
 
-  /// That of the first version has feet, two pillows and a plain frame.
-  void add_first_bed(SceneContents& room) const {
-    const double x = 0.1;
-    const double z = back_z_m + 0.52;
-    add(room, "bed",
-        {piece(x, z, 0.12, {2.2, 0.16, 0.98}), piece(x, z, 0.28, {2.12, 0.17, 0.92}),
-         piece(x - 1.02, z + 0.43, 0, {0.1, 0.14, 0.1}), piece(x + 1.02, z + 0.43, 0, {0.1, 0.14, 0.1}),
-         piece(x - 0.42, z, 0.43, {1.3, 0.06, 0.97}), piece(x - 1.11, z, 0, {0.07, 0.55, 1.0})});
-    add(room, "headboard", {piece(x + 1.13, z, 0, {0.08, 0.85, 1.02})});
-    add(room, "pillow_front", {piece(x + 0.8, z + 0.22, 0.45, {0.42, 0.13, 0.42})});
-    add(room, "pillow_back", {piece(x + 0.8, z - 0.23, 0.45, {0.42, 0.13, 0.42})});
-  }
-
-  /// A chest of drawers: a carcass, and fronts that stand out a little.
-  TriangleMesh chest_of_drawers(double x, double z, const Vector3d& size, int drawers) const {
-    TriangleMesh mesh = piece(x, z, 0, size);
-    const double step = (size.y() - 0.06) / drawers;
-    for (int i = 0; i < drawers; ++i)
-      append(mesh, piece(x, z + size.z() / 2 + 0.01, 0.05 + i * step, {size.x() * 0.92, step - 0.04, 0.025}));
-    return mesh;
-  }
-
   void add_wardrobe(SceneContents& room) const {
     add(room, "wardrobe",
         {piece(wardrobe_x_m, back_z_m + 0.27, 0, {1.2, 2.25, 0.52}),
@@ -104,24 +82,10 @@ struct RoomBuilder : RoomPlan {
     add(room, "albums", {piece(stool_x_m + 0.36, stool_z_m, stool_height_m + 0.06, {0.36, 0.07, 0.4})});
   }
 
-  void add_first_furniture(SceneContents& room) const {
-    add_first_bed(room);
-    add_wardrobe(room);
-    add(room, "chest", {chest_of_drawers(2.75, back_z_m + 0.3, {1.25, 0.5, 0.5}, 2)});
-    add(room, "box", {piece(3.1, back_z_m + 0.24, 0.5, {0.4, 0.24, 0.3})});
-    add_shelf(room);
-    add(room, "stool",
-        {piece(0.0, -4.58, 0.28, {1.1, 0.06, 0.5}), piece(-0.48, -4.58, 0, {0.07, 0.28, 0.44}),
-         piece(0.48, -4.58, 0, {0.07, 0.28, 0.44}), piece(0.0, -4.58, 0.1, {0.9, 0.05, 0.08})});
-    add(room, "albums",
-        {piece(0.38, -4.74, 0.34, {0.26, 0.06, 0.3}), piece(0.37, -4.75, 0.40, {0.22, 0.05, 0.25}),
-         piece(0.39, -4.74, 0.45, {0.19, 0.05, 0.21})});
-  }
-
   SceneContents room() const {
     SceneContents room;
     add_shell(room);
-    first_version ? add_first_furniture(room) : add_furniture(room);
+    add_furniture(room);
     room.camera = camera;
     room.sun = sun;
     return room;
@@ -133,14 +97,6 @@ struct RoomBuilder : RoomPlan {
 
 SceneContents make_room(const RoomPlan& plan) {
   return bedroom_parts::RoomBuilder{plan}.room();
-}
-
-SceneContents make_bedroom(RoomVersion version) {
-  if (version == RoomVersion::today) return make_room({});
-  RoomPlan plan{.front_z_m = 3.0, .first_version = true};
-  plan.camera.vertical_fov_rad = 0.64;
-  plan.sun = {.to_sun = Eigen::Vector3d(-0.68, 0.32, 0.645).normalized(), .irradiance_w_m2 = 4.0};
-  return make_room(plan);
 }
 
 }  // namespace seamline::scenes

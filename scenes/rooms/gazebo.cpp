@@ -101,7 +101,6 @@ struct PavilionBuilder : PavilionPlan {
     return mesh;
   }
 
-  /// Flat; of the first version a hipped roof with a lantern.
   TriangleMesh make_roof() const {
     TriangleMesh mesh;
     TriangleMesh soffit;
@@ -109,15 +108,7 @@ struct PavilionBuilder : PavilionPlan {
     append(mesh, transformed(soffit,
                              Eigen::Translation3d(0, eaves_m, 0) * Eigen::AngleAxisd(pi, Vector3d::UnitZ())));
     add_band(mesh, 0, eaves_m, 0, eaves_m + 0.14);
-    if (!first_version) {
-      add_lid(mesh, 0, eaves_m + 0.14);
-      return mesh;
-    }
-    add_band(mesh, 0, eaves_m + 0.14, 2.4, eaves_m + 1.5);
-    add_band(mesh, 2.4, eaves_m + 1.5, 2.4, eaves_m + 1.9);
-    add_band(mesh, 2.2, eaves_m + 1.9, 3.0, eaves_m + 2.6);
-    add_lid(mesh, 2.2, eaves_m + 1.9);
-    add_lid(mesh, 3.0, eaves_m + 2.6);
+    add_lid(mesh, 0, eaves_m + 0.14);
     return mesh;
   }
 
@@ -159,7 +150,7 @@ struct PavilionBuilder : PavilionPlan {
     add_placed("posts", make_posts());
     add_placed("railing", make_railing());
     add_placed("roof", make_roof());
-    if (!first_version) add_placed("crest", make_crest());
+    add_placed("crest", make_crest());
     garden.camera = camera;
     garden.sun = sun;
     return garden;
@@ -171,14 +162,6 @@ struct PavilionBuilder : PavilionPlan {
 
 SceneContents make_pavilion(const PavilionPlan& plan) {
   return gazebo_parts::PavilionBuilder{plan}.garden();
-}
-
-SceneContents make_gazebo(RoomVersion version) {
-  if (version == RoomVersion::today) return make_pavilion({});
-  PavilionPlan plan{.centre_m = {-3.2, 0, -12.2}, .first_version = true};
-  plan.camera.vertical_fov_rad = 0.53;
-  plan.sun = {.to_sun = Eigen::Vector3d(-0.66, 0.62, -0.36).normalized(), .irradiance_w_m2 = 4.0};
-  return make_pavilion(plan);
 }
 
 }  // namespace seamline::scenes

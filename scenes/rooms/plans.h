@@ -16,7 +16,6 @@ struct RoomPlan {
   double shelf_x_m = 0.35, shelf_height_m = 1.5;
   int books = 11;
   double stool_x_m = 0, stool_z_m = -4.86, stool_height_m = 0.28;
-  bool first_version = false;  ///< the furniture that published numbers of speed rest on
   SceneCamera camera = {.position_m = {0, 1.9, 0.1}, .look_at_m = {0, 0.85, -5}, .vertical_fov_rad = 0.78};
   SceneSun sun = {.to_sun = Eigen::Vector3d(-0.62, 0.30, 0.72).normalized(), .irradiance_w_m2 = 2.75};
 };
@@ -29,7 +28,6 @@ struct PavilionPlan {
   /// Its plan: a rectangle with cut corners, the eaves' overhang included.
   double half_width_m = 6.6, half_depth_m = 3.5, cut_m = 1.6;
   double crest_m = 1.35, picket_m = 0.17, picket_pitch_m = 0.41;
-  bool first_version = false;  ///< a hipped roof with a lantern, and no crest
   SceneCamera camera = {.position_m = {0, 2.6, 2.0}, .look_at_m = {0, 1.1, -7}, .vertical_fov_rad = 0.51};
   SceneSun sun = {.to_sun = Eigen::Vector3d(-0.332, 0.462, -0.822).normalized(), .irradiance_w_m2 = 5.2};
 };
@@ -47,7 +45,6 @@ struct ArcadePlan {
   double rail_m = 1.95;      ///< height of its middle
   double first_x_m = -12.0;  ///< of eight bays
   double arcade_z_m = -7.5;  ///< the plane of the columns' axes
-  bool has_openwork = true;  ///< balusters and a rail between the columns
   SceneCamera camera = {
       .position_m = {2.4, 1.75, 0.9}, .look_at_m = {1.6, 1.95, -7.5}, .vertical_fov_rad = 0.66};
 };

@@ -29,7 +29,6 @@ const std::map<std::string, std::string> hashes = {
     {"stimuli/depth_resolution.toml", "2ceb090d27fe77b341a1f84027240fa6c417311802dddbd929e18eae2a77aba6"},
     {"stimuli/depth_resolution_isolated.toml",
      "017f8cda8f4a019ed03ef2740844d35a94f75ffce571999d6a82cfe3b0c5cc04"},
-    {"stimuli/depth_resolution_v1.toml", "4fb458079c212a12127009fa58fc6c6833f41ce1328eac7c25a0d4036fd53c5e"},
     {"stimuli/discontinuity.toml", "4a1ade658c3fa775a87f59a023fbd889e9cee71ec2ffac4756b9618ba921fe66"},
     {"stimuli/environment_light.toml", "1d594589d243ebea0dd981abac9dfd5556a1559070f4f0656f4a205544c6e534"},
     {"stimuli/field_of_view.toml", "5a8cb77b06abca13eaccae8d1773e0a6a434b6883cc99397c4cdc6a134640331"},

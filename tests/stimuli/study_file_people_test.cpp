@@ -247,16 +247,5 @@ TEST(StudyFilePeople, ShippedStudiesKeepTheirHash) {
             "2ceb090d27fe77b341a1f84027240fa6c417311802dddbd929e18eae2a77aba6");
 }
 
-// Logs and sets of a study name its hash: what was shipped under today's names before must still have the
-// hash it had then.
-TEST(StudyFilePeople, TheFirstVersionOfTheStudyHasTheHashItAlwaysHad) {
-  std::string text =
-      read_file(std::filesystem::path(SEAMLINE_SOURCE_DIR) / "stimuli/depth_resolution_v1.toml");
-  for (std::size_t at = text.find("_v1\""); at != std::string::npos; at = text.find("_v1\""))
-    text.erase(at, 3);
-  EXPECT_EQ(study_hash(read_study_text(text, "study.toml")),
-            "8286a820eaf35a1f987693096d2af325083943dc6894cf5048bf6d2c3de50b11");
-}
-
 }  // namespace
 }  // namespace seamline
