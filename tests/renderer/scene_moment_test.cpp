@@ -62,10 +62,13 @@ class AnimatedFile : public testing::Test {
         fmt::format(
             R"({{"asset":{{"version":"2.0"}},"buffers":[{{"byteLength":{},"uri":"moving.bin"}}],)"
             R"("bufferViews":[{}],"accessors":[{}],"scenes":[{{"nodes":[0]}}],)"
-            R"("nodes":[{{"children":[1]{}}},{{"mesh":0,"translation":[1,0,0]}}],)"
-            R"("meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}},"targets":[{{"POSITION":1}}]}}]}}],)"
+            R"("nodes":{},"meshes":[{{"primitives":[{{"attributes":{{"POSITION":0{}}},"targets":[{{"POSITION":1}}]}}]}}],)"
             R"("animations":[{{"name":"Open","channels":[{}],"samplers":[{}]}}{}]}})",
-            buffer_.size(), views_, texts_, of_root, channels_, samplers_, more));
+            buffer_.size(), views_, texts_,
+            nodes_.empty()
+                ? fmt::format(R"([{{"children":[1]{}}},{{"mesh":0,"translation":[1,0,0]}}])", of_root)
+                : nodes_,
+            attributes_, channels_, samplers_, more));
     return path;
   }
 
@@ -77,6 +80,7 @@ class AnimatedFile : public testing::Test {
   }
 
   const TemporaryFolder folder_;
+  std::string nodes_, attributes_;  ///< in place of the usual nodes, and beside the positions
 
  private:
   std::string buffer_, views_, texts_, channels_, samplers_;
@@ -137,6 +141,23 @@ TEST_F(AnimatedFile, MorphWeightsAreAnimated) {
   animate(1, "weights", "LINEAR", {0, 1, 0}, "SCALAR", 3);
   EXPECT_TRUE(corner_at(1.25).isApprox(Eigen::Vector3d(2, 0, 0.25), 1e-6));
   EXPECT_TRUE(corner_at(3, "").isApprox(Eigen::Vector3d(2, 0, 0.5), 1e-6)) << "the file's only animation";
+}
+
+TEST_F(AnimatedFile, AnAnimatedJointTakesItsPartOfASkinAlong) {
+  const int joints = add(bytes_of<float>({0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0}), "VEC4", 3);
+  const int weights = add(bytes_of<float>({1, 0, 0, 0, 0.25F, 0.75F, 0, 0, 0, 1, 0, 0}), "VEC4", 3);
+  animate(1, "translation", "LINEAR", {0, 0, 0, 0, 4, 0, 0, 4, 8}, "VEC3", 3);
+  // The skin is node 1's, whose own place says nothing; its joints are the root and node 1.
+  nodes_ = R"([{"children":[1]},{"mesh":0,"skin":0}])";
+  attributes_ = fmt::format(R"(,"JOINTS_0":{},"WEIGHTS_0":{})", joints, weights);
+  const std::filesystem::path path = gltf(R"(],"skins":[{"joints":[0,1]})");
+  const auto corners =
+      read_scene_moment(path, MaterialModel::diffuse, Transparency::refused, FileMoment{"Open", 3})
+          .meshes.at(0)
+          .positions_m;
+  EXPECT_TRUE(corners.at(0).isApprox(Eigen::Vector3d(0, 0, 0)) || corners.at(0).norm() < 1e-9);
+  EXPECT_TRUE(corners.at(1).isApprox(Eigen::Vector3d(1, 3, 3), 1e-6)) << corners.at(1).transpose();
+  EXPECT_TRUE(corners.at(2).isApprox(Eigen::Vector3d(0, 5, 4), 1e-6)) << corners.at(2).transpose();
 }
 
 TEST_F(AnimatedFile, AnimationsWithoutNamesHaveNumbers) {
