@@ -46,13 +46,25 @@ constexpr std::array<HangingTable, 12> hanging_tables = {
      {"online_messages", by_participant, 1, -1, false, true},
      {"online_sittings", by_session, -1, 0, false, true}}};
 
-void insert(SQLite::Database& database, const char* table, const LogRow& row, const char* how = "INSERT") {
-  std::string places = "?";
-  for (std::size_t i = 1; i < row.size(); ++i) places += ", ?";
-  SQLite::Statement statement(database, fmt::format("{} INTO {} VALUES ({})", how, table, places));
-  bind_row(statement, row);
-  statement.exec();
-}
+/// A log that rows are entered into; each table's statement is prepared once.
+class EnteredLog {
+ public:
+  explicit EnteredLog(SQLite::Database& log) : database(log) {}
+  SQLite::Database& database;
+
+  void insert(const char* table, const LogRow& row, const char* how = "INSERT") {
+    std::string places = "?";
+    for (std::size_t i = 1; i < row.size(); ++i) places += ", ?";
+    const std::string text = fmt::format("{} INTO {} VALUES ({})", how, table, places);
+    SQLite::Statement& statement = statements_.try_emplace(text, database, text).first->second;
+    bind_row(statement, row);
+    statement.exec();
+    statement.reset();
+  }
+
+ private:
+  std::map<std::string, SQLite::Statement> statements_;
+};
 
 std::vector<LogRow> rows_of(SQLite::Database& database, const char* table, const std::string& condition = "1",
                             std::optional<std::int64_t> participant = {}) {
@@ -128,13 +140,6 @@ PersonFacts facts_of(SQLite::Database& database, const LogRow& row) {
   return facts;
 }
 
-std::vector<PersonFacts> people_of(SQLite::Database& database) {
-  std::vector<PersonFacts> people;
-  for (const LogRow& row : rows_of(database, "participants", "1 ORDER BY participant"))
-    people.push_back(facts_of(database, row));
-  return people;
-}
-
 std::optional<PersonFacts> find_person(SQLite::Database& database, const LogValue& code) {
   SQLite::Statement found(database, "SELECT * FROM participants WHERE code = ?");
   SQLite::bind(found, std::get<std::string>(code));
@@ -143,18 +148,18 @@ std::optional<PersonFacts> find_person(SQLite::Database& database, const LogValu
 }
 
 /// Enters somebody with everything that hangs on them, under a number of this log's.
-std::int64_t copy_person(SQLite::Database& from, SQLite::Database& into, const PersonFacts& person,
+std::int64_t copy_person(SQLite::Database& from, EnteredLog& into, const PersonFacts& person,
                          std::optional<std::int64_t> number) {
   LogRow row = person.row;
   row[0] = number ? LogValue(*number) : LogValue();
-  insert(into, "participants", row);
-  const std::int64_t participant = into.getLastInsertRowid();
+  into.insert("participants", row);
+  const std::int64_t participant = into.database.getLastInsertRowid();
   const bool online = has_online_tables(schema_version_of(from));
   std::map<std::int64_t, std::int64_t> session_of;
   for (const LogRow& consent : rows_of(from, "consents", by_participant, person.participant)) {
     SQLite::Statement text(from, "SELECT * FROM consent_texts WHERE text_sha256 = ?");
     SQLite::bind(text, std::get<std::string>(consent[2]));
-    if (text.executeStep()) insert(into, "consent_texts", row_of(text), "INSERT OR IGNORE");
+    if (text.executeStep()) into.insert("consent_texts", row_of(text), "INSERT OR IGNORE");
   }
   for (const HangingTable& table : hanging_tables) {
     if (table.online && !online) continue;
@@ -169,21 +174,21 @@ std::int64_t copy_person(SQLite::Database& from, SQLite::Database& into, const P
         session = session_of.at(std::get<std::int64_t>(session));
       }
       if (table.own_key) copied[0] = {};
-      insert(into, table.name, copied);
-      if (is_session) session_of[old_key] = into.getLastInsertRowid();
+      into.insert(table.name, copied);
+      if (is_session) session_of[old_key] = into.database.getLastInsertRowid();
     }
   }
   return participant;
 }
 
 /// Rows that say when something happened and not to whom: as many of each as the log that has more.
-void merge_anonymous(SQLite::Database& from, SQLite::Database& into, const char* table) {
+void merge_anonymous(SQLite::Database& from, EnteredLog& into, const char* table) {
   std::map<std::string, int> there;
-  for (const LogRow& row : rows_of(into, table)) ++there[text_of(row, 1)];
+  for (const LogRow& row : rows_of(into.database, table)) ++there[text_of(row, 1)];
   for (LogRow row : rows_of(from, table)) {
     if (there[text_of(row, 1)]-- > 0) continue;
     row[0] = {};
-    insert(into, table, row);
+    into.insert(table, row);
   }
 }
 
@@ -191,13 +196,15 @@ void merge_one(SQLite::Database& from, SQLite::Database& into, MergedLog& merged
                std::vector<std::string>& conflicts) {
   if (has_online_tables(schema_version_of(from))) add_online_tables(into);
   const std::string observer = other_observer(into, from);
+  EnteredLog entered(into);
   const auto enter = [&](const PersonFacts& person, std::optional<std::int64_t> number) {
-    const std::int64_t participant = copy_person(from, into, person, number);
+    const std::int64_t participant = copy_person(from, entered, person, number);
     if (observer.empty() || std::holds_alternative<std::monostate>(person.row[observer_at])) return;
     note_observer(into, participant, observer);
     ++merged.other_observer;
   };
-  for (const PersonFacts& person : people_of(from)) {
+  for (const LogRow& row : rows_of(from, "participants", "1 ORDER BY participant")) {
+    const PersonFacts person = facts_of(from, row);
     const std::string code = text_of(person.row[code_at]);
     const std::optional<PersonFacts> known = find_person(into, person.row[code_at]);
     if (!known) {
@@ -230,12 +237,12 @@ void merge_one(SQLite::Database& from, SQLite::Database& into, MergedLog& merged
       run(exclude, code);
     }
   }
-  for (const char* table : {"declines", "deletions"}) merge_anonymous(from, into, table);
+  for (const char* table : {"declines", "deletions"}) merge_anonymous(from, entered, table);
   if (!has_online_tables(schema_version_of(from))) return;
   for (const LogRow& row : rows_of(from, "online_tokens"))
-    insert(into, "online_tokens", row, "INSERT OR IGNORE");
+    entered.insert("online_tokens", row, "INSERT OR IGNORE");
   for (const LogRow& row : rows_of(from, "online_messages", "participant IS NULL"))
-    insert(into, "online_messages", row, "INSERT OR IGNORE");
+    entered.insert("online_messages", row, "INSERT OR IGNORE");
 }
 
 void check_version(SQLite::Database& database, const fs::path& path) {
