@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "analysis/by_task/log_of_task.h"
+#include "analysis/by_task/tasks_page.h"
 #include "analysis/log_analysis/analysis.h"
 #include "analysis/log_analysis/no_seam.h"
 #include "analysis/report/figures/figures.h"
@@ -138,28 +140,52 @@ LateReport report_on_late(const study::LogContents& log, const Analysis& analysi
   return late;
 }
 
-}  // namespace
+AnalysisSummary analyze_one(study::LogContents log, const AnalysisRequest& request);
 
-AnalysisSummary analyze_log(const AnalysisRequest& request) {
-  require_gnuplot();
-  if (request.no_seam_at.has_value() != request.no_seam_margin.has_value())
-    throw input_error({.field = request.no_seam_at ? "--no-seam-at" : "--margin",
-                       .wanted = request.no_seam_at ? "--margin beside it: how much counts as none"
-                                                    : "--no-seam-at LEVEL beside it",
-                       .found = "it alone"});
+/// A report for each task, and a page over them.
+AnalysisSummary analyze_by_task(const study::LogContents& log, const AnalysisRequest& request) {
+  for (const auto& [option, is_given] :
+       {std::pair("--published", !request.published.empty()), std::pair("--frozen", !request.frozen.empty())})
+    if (is_given)
+      throw input_error({.file = request.log.string(),
+                         .field = option,
+                         .wanted = "a study that asks one question",
+                         .found = "one whose conditions have tasks of their own"});
+  prepare_output_folder(request.report_folder);
+  AnalysisSummary whole;
+  std::vector<TaskReport> reports;
+  for (LogOfTask& part : logs_of_tasks(log)) {
+    AnalysisRequest asked = request;
+    asked.report_folder = request.report_folder / part.name;
+    const AnalysisSummary summary = analyze_one(std::move(part.log), asked);
+    const std::string heading = part.name + ": " + part.question + "\n";
+    whole.table += heading + summary.table + "\n";
+    whole.checks += summary.checks.empty() ? "" : heading + summary.checks + "\n";
+    whole.sections += summary.sections.empty() ? "" : heading + summary.sections + "\n";
+    for (const std::string& note : summary.notes) whole.notes.push_back(part.name + ": " + note);
+    reports.push_back({.folder = part.name,
+                       .question = part.question,
+                       .conditions = part.conditions,
+                       .table = summary.table});
+  }
+  if (reports.empty())
+    throw input_error({.file = request.log.string(), .wanted = "answers", .found = "none"});
+  whole.report_html = write_tasks_page(request.report_folder, log.study_name, reports);
+  return whole;
+}
+
+AnalysisSummary analyze_one(study::LogContents log, const AnalysisRequest& request) {
   AnalysisOptions options;
   options.field_of_view_deg = request.field_of_view_deg;
   options.exclude_screened = request.exclude_screened;
   options.exclude_inattentive = request.exclude_inattentive;
   options.exclude_uncorrected = request.exclude_uncorrected;
   options.compare = request.compare;
-  require_shared_blocks(request.own);
   options.own = request.own;
   std::optional<Archive> archive;
   std::optional<PublishedThresholds> published;
   if (!request.published.empty()) published = read_published(request.published);
   if (!request.frozen.empty()) archive = read_archive(request.frozen);
-  study::LogContents log = study::read_log(request.log);
   if (facts_of(log.task.get()).adjusts()) return analyze_match_log(std::move(log), request);
   options.displays = study::read_displays(request.log);
   const LogsBeside logs = set_marked_aside(log);
@@ -219,6 +245,20 @@ AnalysisSummary analyze_log(const AnalysisRequest& request) {
           .sections = scenes_text(numbers) + numbers_text(analysis, numbers),
           .notes = std::move(notes),
           .report_html = folder / "report.html"};
+}
+
+}  // namespace
+
+AnalysisSummary analyze_log(const AnalysisRequest& request) {
+  require_gnuplot();
+  if (request.no_seam_at.has_value() != request.no_seam_margin.has_value())
+    throw input_error({.field = request.no_seam_at ? "--no-seam-at" : "--margin",
+                       .wanted = request.no_seam_at ? "--margin beside it: how much counts as none"
+                                                    : "--no-seam-at LEVEL beside it",
+                       .found = "it alone"});
+  require_shared_blocks(request.own);
+  study::LogContents log = study::read_log(request.log);
+  return log.own_tasks.empty() ? analyze_one(std::move(log), request) : analyze_by_task(log, request);
 }
 
 }  // namespace seamline::analysis

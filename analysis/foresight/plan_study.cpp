@@ -1,6 +1,7 @@
 #include "analysis/foresight/plan_study.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +10,7 @@
 #include "analysis/foresight/plan_scenes.h"
 #include "analysis/foresight/plan_summary.h"
 #include "analysis/thresholds/planted_noticeability.h"
+#include "stimuli/definition/parts/condition_tasks.h"
 #include "stimuli/study_file/parts/study_file_task.h"
 #include "stimuli/study_file/study_file.h"
 #include "study/observers/observer.h"
@@ -60,6 +62,24 @@ void check_detection(const PlanRequest& request) {
         {.field = "--quantities", .wanted = "detection beside --estimator joint", .found = "straight-lines"});
 }
 
+/// The study of the conditions that are asked for, where conditions have tasks of their own.
+StudyDefinition of_one_task(const PlanRequest& request, StudyDefinition study) {
+  if (!has_own_tasks(study)) return study;
+  std::string known;
+  for (const TaskGroup& group : task_groups(study)) {
+    const auto asks = [&](const std::string& condition) {
+      return std::find(group.conditions.begin(), group.conditions.end(), condition) != group.conditions.end();
+    };
+    const std::vector<std::string>& asked = request.wanted.conditions;
+    if (!asked.empty() && std::all_of(asked.begin(), asked.end(), asks)) return study_of_group(study, group);
+    known += fmt::format("{}{} ({})", known.empty() ? "" : ", or ", fmt::join(group.conditions, ","),
+                         word(facts_of(group.task.get()).kind));
+  }
+  throw input_error({.field = "--conditions",
+                     .wanted = "conditions that ask the same: " + known,
+                     .found = fmt::format("\"{}\"", fmt::join(request.wanted.conditions, ","))});
+}
+
 /// Artifacts of all scenes, and of each its conditions. An artifact without a midpoint is wrong input.
 std::vector<PlannedCurve> curves_of(const PlanRequest& request, const StudyDefinition& study) {
   std::vector<PlannedCurve> curves;
@@ -76,10 +96,11 @@ std::vector<PlannedCurve> curves_of(const PlanRequest& request, const StudyDefin
                                                                        .condition = condition.name,
                                                                        .quantity = study.level.quantity,
                                                                        .level = study.level.values.back()}));
-      curves.push_back({.artifact = artifact,
-                        .condition = conditions.size() > 1 ? condition.name : "",
-                        .objects = objects,
-                        .midpoint = *planted_midpoint(study.observer, artifact, condition.name)});
+      curves.push_back(
+          {.artifact = artifact,
+           .condition = conditions.size() > 1 || request.wanted.conditions.size() == 1 ? condition.name : "",
+           .objects = objects,
+           .midpoint = *planted_midpoint(study.observer, artifact, condition.name)});
     }
   if (curves.empty())
     throw input_error({.file = request.study_file.string(),
@@ -184,7 +205,7 @@ std::vector<LevelSet> level_sets_to_try(const std::vector<double>& levels, const
 }
 
 StudyPlan plan_study(const PlanRequest& request) {
-  const StudyDefinition study = read_study(request.study_file, AssetCheck::not_needed);
+  const StudyDefinition study = of_one_task(request, read_study(request.study_file, AssetCheck::not_needed));
   const PlannedTask task = planned_task(study, request.assumed.false_alarms);
   check_study(request, study);
   check_ratings(request, task);

@@ -11,6 +11,7 @@
 #include "analysis/replication/published_text.h"
 #include "analysis/screening/catch_answers.h"
 #include "analysis/thresholds/planted_noticeability.h"
+#include "stimuli/definition/parts/condition_tasks.h"
 #include "stimuli/set/set_study.h"
 #include "stimuli/study_file/moving/study_file_late_frames.h"
 #include "stimuli/study_file/study_file.h"
@@ -239,6 +240,16 @@ void compare_with_archive(Analysis& analysis, const Archive& archive) {
   analysis.notes.insert(analysis.notes.begin(), verdict_of(*analysis.frozen));
 }
 
+namespace {
+
+/// Of a log of one task the conditions that ask it.
+bool is_asked_in(const study::LogContents& log, const std::string& condition) {
+  return std::any_of(log.answers.begin(), log.answers.end(),
+                     [&](const study::Answer& answer) { return answer.condition == condition; });
+}
+
+}  // namespace
+
 Analysis analyze(study::LogContents log, bool include_pilot, const ResamplingRequest& resampling,
                  const AnalysisOptions& options) {
   Analysis analysis;
@@ -256,7 +267,8 @@ Analysis analyze(study::LogContents log, bool include_pilot, const ResamplingReq
   const std::optional<StudyDefinition> study = study_of_log(analysis.log, notes_on_study);
   if (study)
     for (const ConditionDefinition& condition : study->conditions)
-      analysis.conditions.push_back(condition.name);
+      if (!has_own_tasks(*study) || is_asked_in(analysis.log, condition.name))
+        analysis.conditions.push_back(condition.name);
   require_answers(analysis.log, analysis.people);
   analysis.scores = score_matrix(analysis.log, analysis.people, analysis.conditions);
   analysis.screening = screen_participants(analysis.scores, analysis.options.catches);

@@ -23,6 +23,12 @@ std::string shown_text(const TaskFacts& task, const TaskDefinition& definition) 
           "a depth map. Participants chose the object that they took for the inserted one.",
           number_word(task.objects));
     case TaskKind::pair:
+      if (task.compares)
+        return fmt::format(
+            "Each trial showed two pictures side by side{}: on the left a reference, and on the right one into "
+            "which an object had been composited with the help of a depth map, or the reference again. "
+            "Participants said whether the two were the same.",
+            seen);
       return fmt::format(
           "Each trial showed two pictures side by side{}: one into which an object had been composited with the "
           "help of a depth map, and its reference. Participants chose the picture with the insertion (two "

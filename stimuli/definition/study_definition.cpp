@@ -76,6 +76,7 @@ std::string varied_text(const StudyDefinition& study) {
            chain_line(condition.depth);
     if (condition.look && condition.look != study.look)
       out += "look " + canonical_text(*condition.look) + "\n";
+    if (condition.task) out += "own " + canonical_text(condition.task.get());
     for (const SceneDefinition& scene : condition.scenes) out += canonical_text(scene);
   }
   return out;

@@ -11,6 +11,7 @@
 #include "stimuli/study_file/carried_files.h"
 #include "stimuli/study_file/moving/study_file_clip.h"
 #include "stimuli/study_file/moving/study_file_late_frames.h"
+#include "stimuli/study_file/parts/study_file_condition_task.h"
 #include "stimuli/study_file/parts/study_file_look.h"
 #include "stimuli/study_file/parts/study_file_task.h"
 #include "stimuli/study_file/people/study_file_language.h"
@@ -219,6 +220,7 @@ StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& fol
   check_looks(table, study);
   check_clip(table, study);
   check_task_alone(table, study);
+  set_up_own_tasks(table, study);
   if (const auto analysis = table.table("analysis")) {
     check_late_frames(*analysis, study);
     static_cast<void>(read_analysis(*analysis));

@@ -8,9 +8,11 @@
 #include <set>
 
 #include "stimuli/definition/moving/clip_definition.h"
+#include "stimuli/definition/parts/condition_tasks.h"
 #include "stimuli/settings/read_settings.h"
 #include "stimuli/settings/scene_settings.h"
 #include "stimuli/settings/study_settings.h"
+#include "stimuli/study_file/parts/study_file_condition_task.h"
 #include "stimuli/study_file/parts/study_file_look.h"
 #include "stimuli/study_file/study_file_depth.h"
 #include "stimuli/study_file/study_file_light.h"
@@ -183,7 +185,7 @@ std::string read_condition_name(const TomlTable& table) {
 }
 
 /// Two conditions of one meaning would be asked about twice.
-std::string meaning(const ConditionDefinition& condition) {
+std::string meaning(const ConditionDefinition& condition, const StudyDefinition& study) {
   std::string text =
       fmt::format("{} {} {} {} {}\n", word(condition.isolation), condition.depth.width_px,
                   condition.depth.yaw_texels, word(condition.depth.mesh), condition.depth.mesh_tolerance) +
@@ -192,7 +194,7 @@ std::string meaning(const ConditionDefinition& condition) {
                   canonical_text(condition.depth.pipeline));
   for (const SceneDefinition& scene : condition.scenes) text += canonical_text(scene);
   if (condition.look) text += "look " + canonical_text(*condition.look) + "\n";
-  return text;
+  return text + meaning_of_task(condition.task ? condition.task.get() : study.task.get());
 }
 
 ConditionDefinition read_condition(const TomlTable& table, const StudyDefinition& study,
@@ -202,6 +204,7 @@ ConditionDefinition read_condition(const TomlTable& table, const StudyDefinition
                                 .depth = study.depth,
                                 .scenes = study.scenes};
   condition.look = read_look(table, study.look);
+  condition.task = read_task_of_condition(table, study);
   refuse_level_keys(table, study.level);
   condition.depth.chain = read_depth_chain(table, study.depth.chain, study.level, study.seed, clock);
   if (has_sensor(study.depth) && !has_sensor(condition.depth) && !table.has("depth_width_px"))
@@ -276,7 +279,7 @@ std::vector<ConditionDefinition> read_conditions(const TomlTable& table, const S
       throw one.complaint("name", "a name that no other condition has", "\"" + condition.name + "\"");
     const std::string of_clock = fmt::format("depth clock {} {}", clock.frames_per_s, clock.delay_ms);
     if (clip != nullptr) clip->clocks[condition.name] = clock;
-    const auto [twin, added] = names.emplace(meaning(condition) + of_clock, condition.name);
+    const auto [twin, added] = names.emplace(meaning(condition, study) + of_clock, condition.name);
     if (!added)
       throw one.complaint("name", "settings that no other condition has",
                           "those of \"" + twin->second + "\" under the name \"" + condition.name + "\"");

@@ -43,7 +43,7 @@ bool is_timed(const Session& session) {
 
 /// When an exposure ends while the answer is awaited; 0: it does not.
 std::int64_t exposure_end_ns(const Session& session) {
-  const std::int64_t exposure_ns = session.pace.task.exposure_ns;
+  const std::int64_t exposure_ns = task_due(session).exposure_ns;
   if (exposure_ns == 0) return 0;
   if (const auto* choosing = std::get_if<Choosing>(&session.phase)) return choosing->onset_ns + exposure_ns;
   if (const auto* rating = std::get_if<Rating>(&session.phase)) return rating->onset_ns + exposure_ns;
@@ -244,7 +244,7 @@ void Application::show_frame(std::int64_t begun_ns) {
 /// Of a task that limits exposures: how long a picture stood that this frame took away.
 void Application::note_exposure(const Session* session, std::int64_t shown_ns, std::int64_t period_ns) {
   if (session == nullptr || std::holds_alternative<Grey>(session->phase)) return exposures_.forget();
-  const std::int64_t exposure_ns = session->pace.task.exposure_ns;
+  const std::int64_t exposure_ns = task_due(*session).exposure_ns;
   if (exposure_ns == 0) return;
   if (const auto ended = exposures_.note_shown(stage_.picture_seen, shown_ns, exposure_ns, period_ns))
     note("exposure", shown_ns,

@@ -25,6 +25,7 @@ std::string place_words(const LogContents& log) {
 }
 
 std::string choice_words(const LogContents& log) {
+  if (!log.own_tasks.empty()) return "which alternative of the condition's task was chosen, from 1";
   const TaskFacts task = facts_of(log.task.get());
   return fmt::format(
       "{}, 1 to {}",
@@ -33,6 +34,7 @@ std::string choice_words(const LogContents& log) {
 }
 
 std::string correct_words(const LogContents& log) {
+  if (!log.own_tasks.empty()) return "1 where that was the right one";
   return facts_of(log.task.get()).kind == TaskKind::object ? "1 where that is object_index"
                                                            : "1 where that was the right one";
 }
@@ -78,6 +80,10 @@ CsvTable table_of_answers(const LogContents& log) {
                           whole(a.object_index), as_text(a.condition), a.level, whole(a.chosen_index),
                           yes_or_no(a.correct()), whole(a.rating), whole(a.noticeability()),
                           in_seconds(a.choice_ns), in_seconds(a.rating_ns), a.image_scale});
+  if (log.own_tasks.empty()) return table;
+  table.columns.push_back({"task", "", "what the condition asks: a kind of task"});
+  for (std::size_t row = 0; row < table.rows.size(); ++row)
+    table.rows[row].push_back(as_text(word(facts_of(task_of(log, log.answers[row].condition).get()).kind)));
   return table;
 }
 
@@ -89,7 +95,9 @@ CsvTable table_of_catches(const LogContents& log) {
                   {"kind", "", "attention: an insertion nobody can miss; reference: nothing inserted"},
                   {"scene", "", "name of the scene"},
                   {"right_index", "",
-                   fmt::format("1 to {}; 0 where nothing is right", facts_of(log.task.get()).alternatives)},
+                   log.own_tasks.empty() ? fmt::format("1 to {}; 0 where nothing is right",
+                                                       facts_of(log.task.get()).alternatives)
+                                         : "from 1; 0 where nothing is right"},
                   {"chosen_index", "", choice_words(log)},
                   {"correct", "", "1 where that is right_index"},
                   {"rating", "", "how noticeable, 1 slightly to 4 extremely"},

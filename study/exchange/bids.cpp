@@ -32,13 +32,14 @@ CsvValue time_cell(std::int64_t time_ns) {
 
 /// What the column of places means.
 std::string right_words(const LogContents& log) {
-  if (facts_of(log.task.get()).kind == TaskKind::object)
+  if (log.own_tasks.empty() && facts_of(log.task.get()).kind == TaskKind::object)
     return "the right choice: " + place_words(log) + "; 0: nothing is right";
   return "the object's place: " + place_words(log) +
          "; of catch trials the right choice, 0: nothing is right";
 }
 
 std::string task_sentence(const LogContents& log) {
+  if (!log.own_tasks.empty()) return "Say what the trial's condition asks for";
   const TaskFacts task = facts_of(log.task.get());
   if (task.kind != TaskKind::object) return usual_texts(*log.task).question;
   return fmt::format("Say which of {} objects was inserted{}", number_word(task.objects),

@@ -36,6 +36,7 @@ namespace {
 
 /// What a trial asks.
 std::string trial_sentence(const LogContents& log) {
+  if (!log.own_tasks.empty()) return "What a trial asks follows from its condition, as `task` says.";
   const TaskFacts task = facts_of(log.task.get());
   if (task.kind != TaskKind::object) return "A trial asks: " + usual_texts(*log.task).question;
   return fmt::format(

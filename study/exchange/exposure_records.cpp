@@ -29,7 +29,10 @@ ExposuresOfTrials exposures_in(const LogContents& log) {
 }  // namespace
 
 void add_exposure_columns(const LogContents& log, CsvTable& answers) {
-  if (!log.task || log.task->exposure_s <= 0) return;
+  const auto limits = [](const auto& task) { return task && task->exposure_s > 0; };
+  const bool own = std::any_of(log.own_tasks.begin(), log.own_tasks.end(),
+                               [&](const auto& one) { return limits(one.second); });
+  if (!limits(log.task) && !own) return;
   const ExposuresOfTrials exposures = exposures_in(log);
   answers.columns.insert(
       answers.columns.end(),

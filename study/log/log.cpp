@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "stimuli/study_file/parts/study_file_condition_task.h"
 #include "stimuli/study_file/parts/study_file_task.h"
 #include "study/log/log_database.h"
 #include "study/log/log_values.h"
@@ -182,14 +183,15 @@ std::vector<Answer> read_answers(SQLite::Database& database, const fs::path& fil
 }
 
 std::vector<CatchTrialAnswer> read_catches(SQLite::Database& database, const fs::path& file) {
-  const char* right = right_column(schema_version_of(database));
+  const int version = schema_version_of(database);
+  const char* right = right_column(version);
   SQLite::Statement row(database, fmt::format(R"sql(
-      SELECT code, trial_index, kind, scene, object_index, chosen_index, rating, choice_ns, rating_ns, {}
+      SELECT code, trial_index, kind, scene, object_index, chosen_index, rating, choice_ns, rating_ns, {}, {}
       FROM answers JOIN trials USING (participant, trial_index) JOIN stimuli USING (stimulus)
                    JOIN participants USING (participant)
       WHERE kind <> 'stimulus'
       ORDER BY participant, trial_index)sql",
-                                              right));
+                                              right, version >= 3 ? "condition" : "'' AS condition"));
   const LogValues values(row, file, "answers");
   std::vector<CatchTrialAnswer> catches;
   while (row.executeStep()) {
@@ -206,7 +208,8 @@ std::vector<CatchTrialAnswer> read_catches(SQLite::Database& database, const fs:
                        .chosen_index = values.number(5, 1, most_objects_of_scene),
                        .rating = values.number(6, 1, 4),
                        .choice_ns = values.time(7),
-                       .rating_ns = values.time(8)});
+                       .rating_ns = values.time(8),
+                       .condition = values.text(10)});
   }
   return catches;
 }
@@ -217,7 +220,10 @@ LogContents read_tables(SQLite::Database& database, const fs::path& path) {
   LogContents log;
   log.file = path;
   read_study_row(database, log);
-  if (knows_tasks(schema_version_of(database))) log.task = read_task_text(log.study_text, path);
+  if (knows_tasks(schema_version_of(database))) {
+    log.task = read_task_text(log.study_text, path);
+    log.own_tasks = read_condition_tasks_text(log.study_text, path);
+  }
   log.participants = read_participants(database, path);
   read_origins(database, path, log.participants);
   log.answers = read_answers(database, path, log.quantity);
@@ -228,6 +234,11 @@ LogContents read_tables(SQLite::Database& database, const fs::path& path) {
 }
 
 }  // namespace
+
+std::shared_ptr<const TaskDefinition> task_of(const LogContents& log, const std::string& condition) {
+  const auto own = log.own_tasks.find(condition);
+  return own == log.own_tasks.end() ? log.task : own->second;
+}
 
 LogContents read_log(const fs::path& path) {
   SQLite::Database database = open_log_database(path, LogAccess::read);

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -55,6 +56,7 @@ struct CatchTrialAnswer {
   int chosen_index = 0;
   int rating = 0;
   std::int64_t choice_ns = 0, rating_ns = 0;
+  std::string condition = {};  ///< whose task it asks
 
   [[nodiscard]] bool right() const { return chosen_index == right_index; }
 };
@@ -92,7 +94,13 @@ struct LogContents {
   int forgotten_participants = 0;               ///< how many were deleted by request
   int declined_visits = 0;                      ///< how many did not consent; nothing else is known of them
   std::shared_ptr<const TaskDefinition> task = {};  ///< of the study; null: it names none
+  /// Of the conditions that have their own, by name.
+  std::map<std::string, std::shared_ptr<const TaskDefinition>> own_tasks = {};
 };
+
+/// What a condition of a log asks; null: the paper's question.
+[[nodiscard]] std::shared_ptr<const TaskDefinition> task_of(const LogContents& log,
+                                                            const std::string& condition);
 
 /// Reads a log, also while a session is writing to it. Throws InputError when the file is missing, is not
 /// SQLite, is damaged, or is of a schema version that is not known. In a log of schema version 2 every level

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <exception>
 
+#include "stimuli/definition/parts/condition_tasks.h"
 #include "stimuli/set/set_study.h"
 #include "stimuli/study_file/study_file.h"
 #include "study/log/log_create.h"
@@ -180,10 +181,10 @@ void LogWriter::open(const RenderedSet& set) {
   const bool mirrors = std::any_of(stimuli.begin(), stimuli.end(), [](const auto& one) {
     return one.stimulus.artifact == Artifact::reflection;
   });
-  SQLite::Database database =
-      open_or_create_log_database(path_, fill, {},
-                                  log_schema_version_with(false, mirrors, set.study.task != nullptr,
-                                                          objects_of(set.study) > usual_objects));
+  SQLite::Database database = open_or_create_log_database(
+      path_, fill, {},
+      log_schema_version_with(false, mirrors, set.study.task || has_own_tasks(set.study),
+                              objects_of(set.study) > usual_objects));
   with_log_errors(path_, [&] {
     check_undamaged(database, path_);
     claim_log(database, path_, set);

@@ -56,7 +56,7 @@ Response answer_of(const SimulatedPerson& person, const RenderedSet& set, const 
   Random random(person.seed, 1 + static_cast<std::uint64_t>(answered_trials(session.trials)));
   const Stimulus& stimulus = set.manifest.stimuli[static_cast<std::size_t>(trial.stimulus)].stimulus;
   const Alternatives alternatives =
-      alternatives_of(facts_of(set.study.task.get()), trial, stimulus.object_index);
+      alternatives_of(facts_of(task_of(set, trial).get()), trial, stimulus.object_index);
   switch (trial.kind) {
     case TrialKind::stimulus:
       return respond(person.observer, stimulus, alternatives, random);
@@ -88,7 +88,7 @@ Session run_match(Session session, const SimulatedPerson& person, const Rendered
 /// One picture or several, from the first onset to the answer.
 Session run_choice(Session session, const SimulatedPerson& person, const RenderedSet& set) {
   const Response response = answer_of(person, set, session);
-  const TaskFacts& task = session.pace.task.facts;
+  const TaskFacts task = task_due(session).facts;
   for (int picture = 0; picture < task.pictures; ++picture) {
     session = next(std::move(session), ImageShown{});
     for (int ticks = 0; ticks < 2; ++ticks) session = next(std::move(session), Tick{});  // viewing, gap
@@ -108,12 +108,21 @@ Session run_trial(Session session, const SimulatedPerson& person, const Rendered
   return next(std::move(session), BreakEnded{});
 }
 
+/// Without exposures: nobody waits for them.
+OwnSessionTasks own_session_tasks(const TrialRules& rules) {
+  if (!rules.own_tasks) return nullptr;
+  std::vector<SessionTask> tasks;
+  for (const TaskFacts& facts : *rules.own_tasks) tasks.push_back({.facts = facts});
+  return std::make_shared<const std::vector<SessionTask>>(std::move(tasks));
+}
+
 /// Runs a participant to the end; returns how many tracks lean on the edge of their grid.
 int run_participant(LogWriter& log, OpenSession& place, const RenderedSet& set, const TrialRules& rules,
                     const SimulatedPerson& person) {
   Session session = begin_session(open_trials(rules, log, place),
                                   {.break_every_trials = set.study.session.break_every_trials,
-                                   .task = {.facts = rules.task, .ladders = rules.ladders}});
+                                   .task = {.facts = rules.task, .ladders = rules.ladders},
+                                   .own_tasks = own_session_tasks(rules)});
   while (!std::holds_alternative<Done>(session.phase)) {
     store_due_trial(session.trials, log, place);
     session = run_trial(std::move(session), person, set,

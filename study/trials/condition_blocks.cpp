@@ -36,4 +36,23 @@ std::vector<int> in_condition_blocks(std::vector<int> order, const std::vector<S
   return order;
 }
 
+int twin_in(const std::vector<Stimulus>& stimuli, int stimulus, const std::string& condition) {
+  const Stimulus& one = stimuli[static_cast<std::size_t>(stimulus)];
+  const auto found = std::find_if(stimuli.begin(), stimuli.end(), [&](const Stimulus& other) {
+    return other.condition == condition && other.scene == one.scene && other.artifact == one.artifact &&
+           other.object_index == one.object_index && other.level == one.level;
+  });
+  return found == stimuli.end() ? stimulus : static_cast<int>(found - stimuli.begin());
+}
+
+void move_into_blocks(std::vector<CatchTrial>& catches, const std::vector<int>& order,
+                      const std::vector<Stimulus>& stimuli) {
+  for (CatchTrial& one : catches) {
+    const int before = std::clamp(one.after_stimulus_trials, 1, static_cast<int>(order.size())) - 1;
+    const int stimulus = order[static_cast<std::size_t>(before)];
+    one.trial.stimulus =
+        twin_in(stimuli, one.trial.stimulus, stimuli[static_cast<std::size_t>(stimulus)].condition);
+  }
+}
+
 }  // namespace seamline::study

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "stimuli/definition/stimulus.h"
+#include "study/trials/trial_sequence.h"
 
 namespace seamline::study {
 
@@ -16,5 +17,13 @@ namespace seamline::study {
 /// they stand in the order in which they stood.
 [[nodiscard]] std::vector<int> in_condition_blocks(std::vector<int> order,
                                                    const std::vector<Stimulus>& stimuli, int slot);
+
+/// The stimulus of a condition that differs from another one by its condition alone.
+[[nodiscard]] int twin_in(const std::vector<Stimulus>& stimuli, int stimulus, const std::string& condition);
+
+/// Catch trials show what they show in the condition of the trial before them, so that they ask what the
+/// trials around them ask.
+void move_into_blocks(std::vector<CatchTrial>& catches, const std::vector<int>& order,
+                      const std::vector<Stimulus>& stimuli);
 
 }  // namespace seamline::study

@@ -1,5 +1,9 @@
 #include "study/trials/participant_trials.h"
 
+#include <algorithm>
+#include <iterator>
+
+#include "stimuli/definition/parts/condition_tasks.h"
 #include "study/placement/placed_answer.h"
 #include "study/trials/catch_trials.h"
 #include "study/trials/condition_blocks.h"
@@ -73,12 +77,15 @@ std::vector<int> order_of_repetitions(const TrialRules& rules, const OrderKey& k
   if (rules.ladders) return match_starts(*rules.ladders, rules.repetitions, key);
   constexpr std::uint64_t repetition_salt = 0x616761696e;  // "again"
   std::vector<int> order;
-  for (int r = 0; r < rules.repetitions; ++r) {
+  const std::vector<int>& own = rules.own_repetitions;
+  const int most = own.empty() ? rules.repetitions : *std::max_element(own.begin(), own.end());
+  for (int r = 0; r < most; ++r) {
     const std::uint64_t seed =
         r == 0 ? key.study_seed : mix_bits(key.study_seed ^ repetition_salt) + static_cast<std::uint64_t>(r);
     const std::vector<int> once =
         stimulus_order(static_cast<int>(rules.stimuli.size()), {.study_seed = seed, .slot = key.slot});
-    order.insert(order.end(), once.begin(), once.end());
+    std::copy_if(once.begin(), once.end(), std::back_inserter(order),
+                 [&](int stimulus) { return own.empty() || r < own[static_cast<std::size_t>(stimulus)]; });
   }
   return order;
 }
@@ -94,8 +101,14 @@ TrialRules make_trial_rules(const RenderedSet& set) {
                    .catches = set.study.catches,
                    .task = facts_of(set.study.task.get()),
                    .repetitions = set.study.task ? set.study.task->repetitions : 1,
-                   .blocks = set.study.task && set.study.task->blocks};
+                   .blocks = (set.study.task && set.study.task->blocks) || has_own_tasks(set.study),
+                   .own_tasks = own_tasks_of(set)};
   for (const ManifestStimulus& record : set.manifest.stimuli) rules.stimuli.push_back(record.stimulus);
+  if (rules.own_tasks)
+    for (const Stimulus& stimulus : rules.stimuli) {
+      const std::shared_ptr<const TaskDefinition> task = stimuli::task_of(set.study, stimulus.condition);
+      rules.own_repetitions.push_back(task ? task->repetitions : 1);
+    }
   if (rules.task.adjusts())
     rules.ladders = std::make_shared<const LevelLadders>(
         make_level_ladders(rules.stimuli, set.study.level.noticeability));
@@ -112,9 +125,11 @@ std::vector<Trial> decided_trials(const TrialRules& rules, int slot, std::span<c
   const OrderKey key{.study_seed = rules.study_seed, .slot = slot};
   std::vector<int> order = order_of_repetitions(rules, key);
   if (rules.blocks) order = in_condition_blocks(std::move(order), rules.stimuli, slot);
-  std::vector<Trial> decided =
-      interleave(order, draw_catch_trials(rules.catches, rules.stimuli, static_cast<int>(order.size()), key));
-  const RightRule right = right_rule(rules.task, rules.study_seed, slot);
+  std::vector<CatchTrial> catches =
+      draw_catch_trials(rules.catches, rules.stimuli, static_cast<int>(order.size()), key);
+  if (rules.own_tasks) move_into_blocks(catches, order, rules.stimuli);
+  std::vector<Trial> decided = interleave(order, catches);
+  const RightRule right = right_rule(rules.task, rules.study_seed, slot, rules.own_tasks);
   for (std::size_t i = 0; i < decided.size(); ++i)
     decided[i].right_index = right_index_of(right, decided[i], static_cast<int>(i));
   return decided;
@@ -125,7 +140,7 @@ TrialSequence trial_sequence(const TrialRules& rules, const ParticipantProgress&
   return {.procedure = procedure_at(rules, progress.slot, own),
           .catches = catches_at(rules, progress),
           .catches_answered = static_cast<int>(progress.answers.size() - own.answers.size()),
-          .right = right_rule(rules.task, rules.study_seed, progress.slot)};
+          .right = right_rule(rules.task, rules.study_seed, progress.slot, rules.own_tasks)};
 }
 
 std::optional<Trial> undecided_trial(const TrialSequence& trials, int decided) {

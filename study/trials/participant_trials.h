@@ -31,10 +31,16 @@ struct TrialRules {
   std::shared_ptr<const QuestPlusDesign> quest_plus = {};  ///< none: constant stimuli, or staircases
   std::shared_ptr<const StaircaseDesign> staircase = {};
   TaskFacts task = {};
-  int repetitions = 1;  ///< of every constant stimulus, each time in an order of its own
-  bool blocks = false;  ///< of constant stimuli: conditions in blocks
+  int repetitions = 1;      ///< of every constant stimulus, each time in an order of its own
+  bool blocks = false;      ///< of constant stimuli: conditions in blocks
+  OwnTasks own_tasks = {};  ///< of conditions that have them; they stand in blocks, catch trials with them
+  std::vector<int> own_repetitions = {};             ///< of each stimulus there; else none
   std::shared_ptr<const LevelLadders> ladders = {};  ///< of a match, whose trials are one a ladder; else none
 
+  /// What a trial asks.
+  [[nodiscard]] const TaskFacts& task_of(const Trial& trial) const {
+    return study::task_of(task, own_tasks, trial);
+  }
   /// Whether trials are decided one by one, by the answers before them.
   [[nodiscard]] bool is_adaptive() const { return quest_plus != nullptr || staircase != nullptr; }
 };

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "stimuli/definition/parts/condition_tasks.h"
+#include "study/trials/condition_blocks.h"
 #include "support/text/error.h"
 #include "support/text/suggest.h"
 
@@ -50,6 +52,16 @@ std::vector<int> easiest(const RenderedSet& set, int wanted) {
   }
 }
 
+/// The same of several tasks: as many of each, one task after another.
+std::vector<int> shared_out(const RenderedSet& set, std::vector<int> chosen) {
+  const std::vector<TaskGroup> groups = task_groups(set.study);
+  std::vector<Stimulus> stimuli;
+  for (const ManifestStimulus& record : set.manifest.stimuli) stimuli.push_back(record.stimulus);
+  for (std::size_t i = 0; i < chosen.size(); ++i)
+    chosen[i] = twin_in(stimuli, chosen[i], groups[i * groups.size() / chosen.size()].conditions.front());
+  return chosen;
+}
+
 int index_of(const RenderedSet& set, const std::string& id) {
   std::vector<std::string> known;
   for (std::size_t i = 0; i < set.manifest.stimuli.size(); ++i) {
@@ -70,6 +82,7 @@ std::vector<Trial> training_trials(const RenderedSet& set) {
   std::vector<int> stimuli;
   if (set.study.training.stimuli.empty()) stimuli = easiest(set, set.study.training.trials);
   for (const std::string& id : set.study.training.stimuli) stimuli.push_back(index_of(set, id));
+  if (has_own_tasks(set.study) && set.study.training.stimuli.empty()) stimuli = shared_out(set, stimuli);
   std::vector<Trial> trials;
   for (const int stimulus : stimuli) trials.push_back({.kind = TrialKind::stimulus, .stimulus = stimulus});
   return trials;

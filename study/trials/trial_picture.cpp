@@ -1,6 +1,6 @@
 #include "study/trials/trial_picture.h"
 
-#include "stimuli/definition/parts/task_definition.h"
+#include "stimuli/definition/parts/condition_tasks.h"
 #include "stimuli/pictures/attention_image.h"
 #include "stimuli/set/manifest_pictures.h"
 #include "study/trials/trial_clip.h"
@@ -41,9 +41,15 @@ ByteImage load_trial_picture(const RenderedSet& set, const Trial& trial) {
 }
 
 std::array<int, 2> shown_size_px(const RenderedSet& set) {
-  const bool pair = facts_of(set.study.task.get()).kind == TaskKind::pair;
+  bool pair = false;
+  for (const TaskGroup& group : task_groups(set.study))
+    pair = pair || facts_of(group.task.get()).kind == TaskKind::pair;
+  return shown_size_px(set, pair ? TaskKind::pair : TaskKind::object);
+}
+
+std::array<int, 2> shown_size_px(const RenderedSet& set, TaskKind kind) {
   const int width_px = set.manifest.width_px;
-  return {pair ? 2 * width_px + pair_gap_px : width_px, set.manifest.height_px};
+  return {kind == TaskKind::pair ? 2 * width_px + pair_gap_px : width_px, set.manifest.height_px};
 }
 
 int right_object(const RenderedSet& set, const Trial& trial) {

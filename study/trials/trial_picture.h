@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 
+#include "stimuli/definition/parts/task_definition.h"
 #include "study/placement/trial.h"
 #include "study/trials/rendered_set.h"
 #include "support/files/image.h"
@@ -17,7 +18,9 @@ namespace seamline::study {
 inline constexpr int pair_gap_px = 24;
 
 /// Width and height of what a trial shows at a time: a picture of the set, or two of them side by side.
+/// Of a set whose conditions ask differently the largest.
 [[nodiscard]] std::array<int, 2> shown_size_px(const RenderedSet& set);
+[[nodiscard]] std::array<int, 2> shown_size_px(const RenderedSet& set, TaskKind kind);
 
 /// The click map of a trial's picture: 1 channel, 0 background, objects from 1.
 [[nodiscard]] ByteImage load_object_ids(const RenderedSet& set, const Trial& trial);

@@ -28,24 +28,25 @@ Phase after_shown(const AwaitingImage& phase, const Event& event, const SessionT
   return Choosing{.onset_ns = shown->now_ns};
 }
 
-Phase after_viewing(const Viewing& phase, const Event& event, const SessionPace& pace) {
-  if (std::holds_alternative<PictureTaken>(event)) return before_image(pace);
+Phase after_viewing(const Viewing& phase, const Event& event, const Session& session) {
+  if (std::holds_alternative<PictureTaken>(event)) return before_image(session.pace);
+  const SessionTask& task = task_due(session);
   const auto* tick = std::get_if<Tick>(&event);
-  if (tick == nullptr || tick->now_ns - phase.onset_ns < pace.task.exposure_ns) return phase;
-  if (phase.picture + 1 == pace.task.facts.pictures) return Choosing{.onset_ns = phase.onset_ns};
-  return Gap{.since_ns = phase.onset_ns + pace.task.exposure_ns, .next_picture = phase.picture + 1};
+  if (tick == nullptr || tick->now_ns - phase.onset_ns < task.exposure_ns) return phase;
+  if (phase.picture + 1 == task.facts.pictures) return Choosing{.onset_ns = phase.onset_ns};
+  return Gap{.since_ns = phase.onset_ns + task.exposure_ns, .next_picture = phase.picture + 1};
 }
 
-Phase after_gap(const Gap& phase, const Event& event, const SessionPace& pace) {
-  if (std::holds_alternative<PictureTaken>(event)) return before_image(pace);
+Phase after_gap(const Gap& phase, const Event& event, const Session& session) {
+  if (std::holds_alternative<PictureTaken>(event)) return before_image(session.pace);
   const auto* tick = std::get_if<Tick>(&event);
-  if (tick == nullptr || tick->now_ns - phase.since_ns < pace.task.gap_ns) return phase;
+  if (tick == nullptr || tick->now_ns - phase.since_ns < task_due(session).gap_ns) return phase;
   return AwaitingImage{.picture = phase.next_picture};
 }
 
-bool is_choice(const ObjectChosen& chosen, std::int64_t onset_ns, const SessionPace& pace) {
-  return chosen.index >= 1 && chosen.index <= pace.task.facts.alternatives && chosen.now_ns >= onset_ns &&
-         chosen.now_ns - onset_ns >= pace.minimum_viewing_ns;
+bool is_choice(const ObjectChosen& chosen, std::int64_t onset_ns, const Session& session) {
+  return chosen.index >= 1 && chosen.index <= task_due(session).facts.alternatives &&
+         chosen.now_ns >= onset_ns && chosen.now_ns - onset_ns >= session.pace.minimum_viewing_ns;
 }
 
 /// A step along the ladder of levels, or the end of a match.
@@ -68,10 +69,11 @@ Phase after_step(const Choosing& phase, const ObjectChosen& chosen, const Sessio
 Phase after_choice(const Choosing& phase, const Event& event, const Session& session) {
   if (std::holds_alternative<PictureTaken>(event)) return before_image(session.pace);
   const auto* chosen = std::get_if<ObjectChosen>(&event);
-  if (chosen == nullptr || !is_choice(*chosen, phase.onset_ns, session.pace)) return phase;
-  if (session.pace.task.facts.adjusts()) return after_step(phase, *chosen, session);
+  if (chosen == nullptr || !is_choice(*chosen, phase.onset_ns, session)) return phase;
+  const TaskFacts& task = task_due(session).facts;
+  if (task.adjusts()) return after_step(phase, *chosen, session);
   const std::int64_t choice_ns = chosen->now_ns - phase.onset_ns;
-  if (session.pace.task.facts.rates)
+  if (task.rates)
     return Rating{.onset_ns = phase.onset_ns, .chosen_index = chosen->index, .choice_ns = choice_ns};
   return Storing{{.trial_index = answered_trials(session.trials),
                   .chosen_index = chosen->index,
@@ -96,7 +98,7 @@ Phase after_only_rating(const Rating& phase, const Event& event, const Session& 
 
 Phase after_rating(const Rating& phase, const Event& event, const Session& session) {
   if (std::holds_alternative<PictureTaken>(event)) return before_image(session.pace);
-  if (!session.pace.task.facts.chooses) return after_only_rating(phase, event, session);
+  if (!task_due(session).facts.chooses) return after_only_rating(phase, event, session);
   if (std::holds_alternative<ObjectChosen>(event)) {
     const Phase again = after_choice(Choosing{.onset_ns = phase.onset_ns}, event, session);
     return std::holds_alternative<Rating>(again) ? again : phase;
@@ -143,9 +145,9 @@ Session next(Session session, const Event& event) {
   return std::visit(
       Overloaded{
           [&](const Grey& now) { return with(after_grey(now, event, session.pace)); },
-          [&](const AwaitingImage& now) { return with(after_shown(now, event, session.pace.task)); },
-          [&](const Viewing& now) { return with(after_viewing(now, event, session.pace)); },
-          [&](const Gap& now) { return with(after_gap(now, event, session.pace)); },
+          [&](const AwaitingImage& now) { return with(after_shown(now, event, task_due(session))); },
+          [&](const Viewing& now) { return with(after_viewing(now, event, session)); },
+          [&](const Gap& now) { return with(after_gap(now, event, session)); },
           [&](const Choosing& now) { return with(after_choice(now, event, session)); },
           [&](const Rating& now) { return with(after_rating(now, event, session)); },
           [&](const Storing& now) { return after_storing(std::move(session), now.answer, event); },
@@ -155,6 +157,12 @@ Session next(Session session, const Event& event) {
           [&](const Done& now) { return with(now); },
       },
       phase);
+}
+
+const SessionTask& task_due(const Session& session) {
+  if (!session.pace.own_tasks) return session.pace.task;
+  const std::optional<Trial> due = current_trial(session.trials);
+  return due ? session.pace.own_tasks->at(static_cast<std::size_t>(due->stimulus)) : session.pace.task;
 }
 
 std::optional<Trial> picture_on_screen(const Session& session) {

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "stimuli/definition/parts/task_definition.h"
 #include "study/placement/trial.h"
@@ -75,12 +76,16 @@ struct SessionTask {
   std::shared_ptr<const LevelLadders> ladders = {};  ///< of a match: between which pictures people move
 };
 
+/// Of each stimulus of a set whose conditions have tasks of their own; null: all ask what the study asks.
+using OwnSessionTasks = std::shared_ptr<const std::vector<SessionTask>>;
+
 /// How a session is paced.
 struct SessionPace {
   int break_every_trials = 0;           ///< 0: no breaks
   std::int64_t minimum_viewing_ns = 0;  ///< a choice sooner than this after the onset does not count
   std::int64_t inter_trial_ns = 0;      ///< 0: no grey between trials
   SessionTask task = {};
+  OwnSessionTasks own_tasks = {};
 };
 
 /// A session of one participant; a value. The trial that is due is number `answered_trials(trials)`.
@@ -121,6 +126,9 @@ struct Session {
 /// nor change a rated choice. No image follows an answer that the log has not committed, because only
 /// AnswerStored leaves Storing.
 [[nodiscard]] Session next(Session session, const Event& event);
+
+/// What the trial that is due asks; after the last one what the study asks.
+[[nodiscard]] const SessionTask& task_due(const Session& session);
 
 /// The picture that is due, or in a match the one that the participant has moved to. None where none is due.
 [[nodiscard]] std::optional<Trial> picture_on_screen(const Session& session);

@@ -1,8 +1,10 @@
 #include "study/visit/visit_script.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "stimuli/definition/moving/clip_definition.h"
+#include "stimuli/definition/parts/condition_tasks.h"
 #include "study/trials/participant_trials.h"
 #include "study/trials/training_trials.h"
 #include "study/trials/trial_picture.h"
@@ -25,13 +27,26 @@ double viewing_s(const StudyDefinition& study) {
   return std::max(study.session.minimum_viewing_s, clip->frames / clip->frames_per_s);
 }
 
+SessionTask session_task(const TaskDefinition* task) {
+  if (task == nullptr) return {};
+  return {.facts = facts_of(task),
+          .exposure_ns = nanoseconds(task->exposure_s),
+          .gap_ns = nanoseconds(task->gap_s),
+          .ladders = {}};
+}
+
 SessionTask session_task(const RenderedSet& set) {
-  const StudyDefinition& study = set.study;
-  if (!study.task) return {};
-  return {.facts = facts_of(study.task.get()),
-          .exposure_ns = nanoseconds(study.task->exposure_s),
-          .gap_ns = nanoseconds(study.task->gap_s),
-          .ladders = make_trial_rules(set).ladders};
+  SessionTask task = session_task(set.study.task.get());
+  if (task.facts.adjusts()) task.ladders = make_trial_rules(set).ladders;
+  return task;
+}
+
+OwnSessionTasks own_session_tasks(const RenderedSet& set) {
+  if (!has_own_tasks(set.study)) return nullptr;
+  std::vector<SessionTask> tasks;
+  for (const ManifestStimulus& record : set.manifest.stimuli)
+    tasks.push_back(session_task(stimuli::task_of(set.study, record.stimulus.condition).get()));
+  return std::make_shared<const std::vector<SessionTask>>(std::move(tasks));
 }
 
 }  // namespace
@@ -45,8 +60,9 @@ VisitScript make_visit_script(const RenderedSet& set) {
       .pace = {.break_every_trials = study.session.break_every_trials,
                .minimum_viewing_ns = std::max(fastest_choice_ns, nanoseconds(viewing_s(study))),
                .inter_trial_ns = nanoseconds(study.session.inter_trial_s),
-               .task = session_task(set)},
-      .training_rule = right_rule(facts_of(study.task.get()), study.seed, 0)};
+               .task = session_task(set),
+               .own_tasks = own_session_tasks(set)},
+      .training_rule = right_rule(facts_of(study.task.get()), study.seed, 0, own_tasks_of(set))};
   for (std::size_t i = 0; i < script.training.size(); ++i)
     script.training[i].right_index =
         right_index_of(script.training_rule, script.training[i], static_cast<int>(i));

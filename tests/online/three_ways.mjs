@@ -24,6 +24,23 @@ const TASKS = {
   interval: { tables: '[task]\nkind = "interval"\nexposure_s = 0.1\ngap_s = 0.05\n' },
   yes_no: { references: 8, tables: '[task]\nkind = "yes_no"\n' },
   rating: { references: 8, tables: '[task]\nkind = "rating"\n' },
+  same: { references: 8, tables: '[task]\nkind = "pair"\nasks = "same"\n' },
+  conditions: {
+    references: 12,
+    kinds: { which: "paper", turn: "interval", beside: "pair", seen: "yes_no" },
+    tables: `[[condition]]
+name = "which"
+[[condition]]
+name = "turn"
+task = { kind = "interval", exposure_s = 0.1, gap_s = 0.05 }
+[[condition]]
+name = "beside"
+task = { kind = "pair", second_question = true }
+[[condition]]
+name = "seen"
+task = { kind = "yes_no" }
+`,
+  },
   match: { references: 0, tables: '[task]\nkind = "match"\nrepetitions = 2\n' },
 };
 
@@ -68,8 +85,8 @@ function plannedTrials(set, folder, kind) {
   const log = join(folder, "planned.sqlite");
   run("study", set, "--log", log, "--observer", "perfect", "--count", "1", "--seed", "1");
   const right = kind === "paper" ? "0" : "right_index";
-  const rows = query(log, `SELECT trial_index, kind, level, object_index, ${right} FROM trials JOIN stimuli USING (stimulus) ORDER BY trial_index`);
-  return rows.map(([, trial, level, object, drawn]) => ({ kind: trial, level, right: drawn !== 0 ? drawn : trial === "reference" ? 0 : object }));
+  const rows = query(log, `SELECT trial_index, kind, level, object_index, ${right}, condition FROM trials JOIN stimuli USING (stimulus) ORDER BY trial_index`);
+  return rows.map(([, trial, level, object, drawn, condition]) => ({ kind: trial, level, condition, right: drawn !== 0 ? drawn : trial === "reference" ? 0 : object }));
 }
 
 /** A number in [0, 1) that is always the same for a person, a trial and a question. */
@@ -85,7 +102,7 @@ function deedOf(kind, alternatives, trial, person, at) {
   const seen = trial.kind === "stimulus" && chance(person, at, 1) < { 64: 0.95, 128: 0.75, 256: 0.4, 512: 0.15 }[trial.level];
   const rating = 1 + Math.floor(chance(person, at, 2) * 4);
   if (kind === "rating") return { rating: seen ? 1 + rating : 1 };
-  if (kind === "yes_no") return { choice: seen || chance(person, at, 4) < 0.1 ? 1 : 2 };
+  if (kind === "yes_no" || kind === "same") return { choice: seen || chance(person, at, 4) < 0.1 ? 1 : 2 };
   const guess = 1 + Math.floor(chance(person, at, 5) * alternatives);
   return { choice: seen ? trial.right : guess, rating: seen ? rating : 1 };
 }
@@ -197,8 +214,9 @@ for (const [kind, task] of Object.entries(TASKS)) {
   run("export", "web", set, join(folder, "page-serve"), "--serve");
   run("export", "web", set, join(folder, "page-static"), "--slots", "1");
   const trials = kind === "match" ? [] : plannedTrials(set, folder, kind);
-  const alternatives = { paper: 3, object2: 2, object5: 5 }[kind] ?? 2;
-  const deed = (person) => (at) => deedOf(kind, alternatives, trials[at], person, at);
+  const alternatives = { paper: 3, object2: 2, object5: 5 };
+  const kindAt = (at) => task.kinds?.[trials[at].condition] ?? kind;
+  const deed = (person) => (at) => deedOf(kindAt(at), alternatives[kindAt(at)] ?? 2, trials[at], person, at);
   const logs = Object.fromEntries(["window", "browser", "import"].map((way) => [way, join(folder, way + ".sqlite")]));
   const server = await realServe(program, join(folder, "page"), set, logs.browser);
   const host = await staticHost(join(folder, "page"));

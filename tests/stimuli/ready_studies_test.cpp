@@ -59,7 +59,7 @@ const std::map<std::string, std::string> later_hashes = {
     {"stimuli/pair.toml", "038727b16095894d418fc454c1f754a73b0b084ecae2db27914a150c0732c34a"},
     {"stimuli/stereo_depth.toml", "0410ee47610aff900afa296c63498ec4e41462da7d0493b72ee97f61e3102d4e"},
     {"stimuli/video_background.toml", "8e2cac72e8802541bb691f1a0fd681e31a8e6fcd3405dd65135e8c54a2f92907"},
-    {"stimuli/two_observers.toml", "1f8a934e11cd570813a4344632cbc7135cff035cc7e213250251b4ebdb435c50"},
+    {"stimuli/two_observers.toml", "b62b58235eed86d7dce4372bd56d43986437c4d4dc96de68fc9dc523ce0adb84"},
     {"stimuli/headset.toml", "7bee87b9aa84190fb6bf9d4d68ae5a6bd89c273408f57aa1efb3e232627af830"},
     {"stimuli/look_round.toml", "3dec19ac12893836b66e61e7835341f63e4610747f2fd68e7c5a699d3fe1d0f6"},
 };

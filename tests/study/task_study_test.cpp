@@ -26,6 +26,7 @@ const std::vector<TaskCase> task_cases = {
     {"[task]\nkind = \"interval\"\npictures = 3\n", 1.0 / 3},
     {"[task]\nkind = \"interval\"\nsecond_question = true\n", 1.0 / 2},
     {"[task]\nkind = \"yes_no\"\n[catch]\nreference = 8\n", simulated_false_alarms},
+    {"[task]\nkind = \"pair\"\nasks = \"same\"\n[catch]\nreference = 8\n", simulated_false_alarms},
     {"[task]\nkind = \"rating\"\n[catch]\nreference = 8\n", 0},
     {"[task]\nkind = \"object\"\nrepetitions = 2\n", 1.0 / 3},
     {"[task]\nkind = \"object\"\nobjects = 2\n", 1.0 / 2, 2},

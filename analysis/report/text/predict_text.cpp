@@ -118,7 +118,9 @@ std::string gain_text(const Prediction& prediction) {
     case GainSource::detection:
       return "The gain rests on the eyes of ModelFest's 16 people, who looked for known patterns on a uniform "
              "field\n(`seamline observe` shows how well). People who search a picture" +
-             std::string(prediction.task.facts.draws_right ? "" : " without its reference") +
+             std::string(prediction.task.facts.draws_right || prediction.task.facts.compares
+                             ? ""
+                             : " without its reference") +
              " see less:\nthe levels above are where a difference can be seen at all, not where a study "
              "finds it.\n";
   }

@@ -34,6 +34,13 @@ TaskFacts facts_by_kind(const TaskDefinition* task) {
     case TaskKind::object:
       return {.alternatives = task->objects, .chance = 1.0 / task->objects, .rates = task->second_question};
     case TaskKind::pair:
+      if (task->same)
+        return {.kind = kind,
+                .alternatives = 2,
+                .chance = 0,
+                .compares = true,
+                .right_is_yes = true,
+                .rates = false};
       return {.kind = kind,
               .alternatives = 2,
               .chance = 0.5,
@@ -106,6 +113,23 @@ TaskTexts object_texts(int objects, const std::string& second, const std::string
 
 }  // namespace
 
+namespace {
+
+TaskTexts same_texts(const std::string& rest) {
+  return {.question = "Are the two pictures the same?",
+          .hint = "Click an answer, or press 1 or 2",
+          .instructions =
+              "Each time you see two pictures of the same place, side by side. Nothing was "
+              "inserted into the left one. Press 1 if the right one differs from it, and 2 if "
+              "both are the same. " +
+              rest,
+          .feedback_right = "Correct: they differ.",
+          .feedback_wrong = "No, they differ.",
+          .answers = {"Different", "Same"}};
+}
+
+}  // namespace
+
 TaskTexts usual_texts(const TaskDefinition& task) {
   const std::string second =
       task.second_question
@@ -120,6 +144,7 @@ TaskTexts usual_texts(const TaskDefinition& task) {
     case TaskKind::object:
       return task.objects == usual_objects ? TaskTexts{} : object_texts(task.objects, second, end);
     case TaskKind::pair:
+      if (task.same) return same_texts(inserted + end);
       return {.question = "Into which of the two pictures was an object inserted?",
               .hint = "Click a picture or an answer, or press 1 or 2",
               .instructions = "Each time you see two pictures of the same place, side by side. " + inserted +
@@ -187,6 +212,7 @@ std::string canonical_text(const TaskDefinition* task) {
   if (task->objects != usual_objects) out += fmt::format("task objects {}\n", task->objects);
   if (task->kind == TaskKind::interval)
     out += fmt::format("task pictures {} gap {}\n", task->pictures, task->gap_s);
+  if (task->same) out += "task same or different\n";
   for (const std::string& label : task->labels) out += "task label " + label + "\n";
   if (task->blocks) out += "task blocks condition\n";
   if (task->staircase) out += canonical_text(*task->staircase);

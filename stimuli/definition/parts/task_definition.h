@@ -28,10 +28,17 @@ inline constexpr std::array<TaskKind, 6> every_task_kind = {TaskKind::object,   
 /// Objects of a scene: those of a study that does not say how many, and at most.
 inline constexpr int usual_objects = 3, most_objects_of_scene = 8;
 
-/// `[task]` of a study. A study without it asks for the object, once a stimulus, and then for a rating.
+/// What a condition's own task says in place of the study's words; empty: the study's.
+struct AskedTexts {
+  std::string question = {}, hint = {}, rating_hint = {}, feedback_right = {}, feedback_wrong = {};
+};
+
+/// `[task]` of a study, or of a condition. A study without it asks for the object, once a stimulus, and then
+/// for a rating.
 struct TaskDefinition {
   TaskKind kind = TaskKind::object;
   int objects = usual_objects;  ///< of each scene, from left to right
+  bool same = false;            ///< pair: the reference stands on the left; is the other one the same?
   int pictures = 2;             ///< interval: shown one after another, 2 or 3
   double exposure_s = 0;        ///< how long a picture is seen; 0: until the answer (never of `interval`)
   double gap_s = 0.5;           ///< interval: grey between two pictures
@@ -44,6 +51,7 @@ struct TaskDefinition {
   int repetitions = 1;
   bool blocks = false;  ///< trials of a condition follow each other, conditions in a balanced Latin square
   std::shared_ptr<const StaircaseDefinition> staircase = {};  ///< places the levels; null: none does
+  AskedTexts own = {};                                        ///< of a condition's own task
 };
 
 /// What follows from a task, in one place.
@@ -56,6 +64,7 @@ struct TaskFacts {
   double chance = 1.0 / 3;
   int pictures = 1;           ///< one after another in a trial
   bool draws_right = false;   ///< which alternative is right is drawn for each trial
+  bool compares = false;      ///< a picture stands on the right of its reference, and is the same or not
   bool right_is_yes = false;  ///< the first alternative is right wherever something was inserted
   bool chooses = true;        ///< there is a choice
   bool rates = true;          ///< there is a rating

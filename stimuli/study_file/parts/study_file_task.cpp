@@ -58,10 +58,20 @@ std::vector<std::string> read_answers(const TomlTable& task, const TaskDefinitio
   return answers;
 }
 
-TaskDefinition read_task_table(const TomlTable& table) {
+}  // namespace
+
+TaskDefinition read_task_table(const TomlTable& table, int usual_number_of_objects) {
   TaskDefinition task;
+  task.objects = usual_number_of_objects;
   task.kind = read_kind(table);
   const bool interval = task.kind == TaskKind::interval;
+  refuse_unless(table, "asks", task.kind == TaskKind::pair, task.kind, "\"pair\"");
+  if (table.has("asks")) {
+    const std::string asks = table.text("asks");
+    if (asks != "which" && asks != "same")
+      throw table.complaint("asks", "\"which\" or \"same\"", "\"" + asks + "\"");
+    task.same = asks == "same";
+  }
   const bool second = task.kind == TaskKind::object || task.kind == TaskKind::pair || interval;
   const double fewest = task.kind == TaskKind::object ? 2 : 1;  // among one there is no choice
   task.objects = table.integer("objects", task.objects, {fewest, most_objects_of_scene, "objects"});
@@ -76,7 +86,10 @@ TaskDefinition read_task_table(const TomlTable& table) {
     task.gap_s = table.number("gap_s", task.gap_s, {0.05, 60, "s"});
   }
   task.exposure_s = table.number("exposure_s", interval ? 0.5 : 0, {interval ? 0.05 : 0, 600, "s"});
-  task.second_question = second && table.boolean("second_question", task.kind == TaskKind::object);
+  if (task.same && table.has("second_question") && table.boolean("second_question", false))
+    throw table.complaint("second_question", "false beside asks = \"same\"", "true");
+  task.second_question =
+      second && !task.same && table.boolean("second_question", task.kind == TaskKind::object);
   if (task.kind == TaskKind::rating) task.labels = read_task_labels(table);
   task.answers = read_answers(table, task);
   task.repetitions = table.integer("repetitions", task.repetitions, {1, 1000, "repetitions"});
@@ -88,6 +101,8 @@ TaskDefinition read_task_table(const TomlTable& table) {
   table.finish();
   return task;
 }
+
+namespace {
 
 /// QUEST+ knows the chance of the task; where only reference trials tell it, QUEST+ learns it, too.
 void set_guess_of_task(const TomlTable& study, const TaskFacts& facts, QuestPlusDefinition& quest) {
@@ -222,7 +237,7 @@ std::shared_ptr<const TaskDefinition> read_task_of(const TomlTable& study) {
   const auto table = study.table("task");
   const std::shared_ptr<const StaircaseDefinition> staircase = read_staircase(study);
   if (!table && !staircase) return nullptr;
-  TaskDefinition task = table ? read_task_table(*table) : TaskDefinition{};
+  TaskDefinition task = table ? read_task_table(*table, usual_objects) : TaskDefinition{};
   task.staircase = staircase;
   return std::make_shared<const TaskDefinition>(std::move(task));
 }
@@ -243,11 +258,13 @@ bool is_placed_by_answers(const StudyDefinition& study) {
 }
 
 void check_task_alone(const TomlTable& study, const StudyDefinition& definition) {
-  if (!definition.task) return;
+  const auto has_own = [](const ConditionDefinition& condition) { return condition.task != nullptr; };
+  if (!definition.task && std::none_of(definition.conditions.begin(), definition.conditions.end(), has_own))
+    return;
   bool turns = definition.look != nullptr;
   for (const ConditionDefinition& condition : definition.conditions)
     turns = turns || condition.look != nullptr;
-  if (definition.task->blocks && definition.conditions.size() < 2)
+  if (definition.task && definition.task->blocks && definition.conditions.size() < 2)
     throw study.complaint("task.blocks", "at least two [[condition]] to make blocks of",
                           fmt::format("{}", definition.conditions.size()));
   if (definition.clip) throw study.complaint("clip", "stills beside a [task]", "a table [clip]");

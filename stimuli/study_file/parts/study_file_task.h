@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "stimuli/definition/parts/task_definition.h"
 #include "stimuli/definition/study_definition.h"
 #include "support/files/toml_table.h"
 
@@ -13,6 +14,9 @@ namespace seamline::inline stimuli {
 /// procedure and what people are told are read. Throws InputError where a key has no meaning for the task, or
 /// the study asks for something that the task cannot give.
 void read_task(const TomlTable& study, StudyDefinition& definition);
+
+/// A table of a task alone, which `usual_number_of_objects` holds for where it does not say it.
+[[nodiscard]] TaskDefinition read_task_table(const TomlTable& table, int usual_number_of_objects);
 
 /// Whether the levels of trials follow the answers before them (QUEST+, or staircases).
 [[nodiscard]] bool is_placed_by_answers(const StudyDefinition& study);

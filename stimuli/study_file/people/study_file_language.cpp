@@ -83,7 +83,7 @@ void TextsReader::read_task_texts(const TomlTable& table) const {
 /// `[[task_texts]]` of a built-in file: what Seamline says of one kind of task.
 void TextsReader::read_usual_task_texts(const TomlTable& table) const {
   const std::string kind = table.text("kind");
-  if (!study.task || kind != word(study.task->kind)) return;
+  if (!study.task || study.task->same || kind != word(study.task->kind)) return;
   const TaskTexts usual = usual_texts(*study.task);
   take(table, "question", study.session.question, usual.question, into.question);
   take(table, "feedback_right", study.training.feedback_right, usual.feedback_right, into.feedback_right);

@@ -4,6 +4,7 @@
 
 #include "stimuli/definition/looks/study_look.h"
 #include "stimuli/definition/moving/clip_definition.h"
+#include "stimuli/definition/parts/condition_tasks.h"
 #include "study/trials/level_ladders.h"
 #include "study/trials/participant_trials.h"
 #include "study/trials/right_rule.h"
@@ -19,7 +20,12 @@ const std::string& truth_of(const RenderedSet& set, const Trial& trial) {
 
 /// How many pictures are held: of the trial before, the one that is due and the next.
 std::size_t slots_of(const RenderedSet& set, const LevelLadders* ladders) {
-  if (ladders == nullptr) return facts_of(set.study.task.get()).draws_right ? 6 : 3;
+  if (ladders == nullptr) {
+    bool several = false;
+    for (const TaskGroup& group : task_groups(set.study))
+      several = several || shows_references(facts_of(group.task.get()));
+    return several ? 6 : 3;
+  }
   std::size_t longest = 0;
   for (const std::vector<int>& ladder : ladders->ladders) longest = std::max(longest, ladder.size());
   return 2 * longest;
@@ -83,7 +89,7 @@ PictureStore::Slot& PictureStore::oldest_slot() {
 
 std::vector<Trial> PictureStore::pictures_of(const Trial& trial) const {
   return ladders_ ? pictures_of_ladder(*ladders_, trial)
-                  : shown_pictures(facts_of(set_.study.task.get()), trial);
+                  : shown_pictures(facts_of(task_of(set_, trial).get()), trial);
 }
 
 const Texture* PictureStore::find(const Trial& trial) const {

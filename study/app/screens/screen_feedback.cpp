@@ -24,24 +24,26 @@ void look_towards(Stage& stage, const Trial& trial, int object) {
 Outcome draw(const FeedbackScreen& screen, const Visit& visit, Stage& stage) {
   if (const std::optional<Trial> trial = trial_on_screen(visit); trial && screen.right_index >= 1)
     look_towards(stage, *trial, screen.right_index);
+  stage.trial_drawn = screen.trial;
   const TrialPlace place = trial_place(stage);
+  const bool alternatives = asks_for_alternatives(stage.set, screen.trial);
   if (const std::optional<Trial> trial = trial_on_screen(visit)) {
     const Texture* picture = stage.pictures.find(*trial);
-    if (asks_for_alternatives(stage.set))
+    if (alternatives)
       draw_task_feedback(stage, place, *trial);
     else if (picture != nullptr)
       show_picture(stage, *trial, *picture, place);
-    if (screen.right_index >= 1 && !asks_for_alternatives(stage.set)) {
+    if (screen.right_index >= 1 && !alternatives) {
       const ObjectMap& objects = stage.pictures.objects(*trial);
       const auto index = static_cast<std::size_t>(screen.right_index - 1);
       draw_bracket(stage, place, seen_frames(stage, *trial).at(index));
       draw_bracket(stage, place, objects.right_eye_frames.at(index));
     }
   }
-  const TrainingDefinition& training = stage.set.study.training;
+  const AskedTexts texts = asked_by(stage, screen.trial);
   const std::string text = screen.right_index >= 1
-                               ? fill_in(screen.right() ? training.feedback_right : training.feedback_wrong,
-                                         {{"object", name_of_right(stage, screen.right_index)}})
+                               ? fill_in(screen.right() ? texts.feedback_right : texts.feedback_wrong,
+                                         {{"object", name_of_right(stage, screen.trial, screen.right_index)}})
                                : "";
   draw_question(stage, place, Font::body, text, 0.9);
   const bool used =

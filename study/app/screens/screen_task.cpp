@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "stimuli/definition/parts/task_definition.h"
+#include "stimuli/definition/parts/condition_tasks.h"
 #include "study/app/pictures/picture_store.h"
 #include "study/app/screens/answer_row.h"
 #include "study/app/screens/trial_view.h"
@@ -15,19 +15,17 @@
 namespace seamline::study::app {
 namespace {
 
-TaskFacts task_of(const RenderedSet& set) {
-  return facts_of(set.study.task.get());
-}
-
 /// A trial while it is on the screen.
 struct TaskTrial {
   Stage& stage;
   TrialPlace place;
+  std::shared_ptr<const TaskDefinition> task;
+  AskedTexts texts;
 };
 
 /// Where the pictures that are seen at the same time stand: the whole picture, or both halves of a pair.
-std::vector<Rect> trial_pictures(const Stage& stage, const TrialPlace& place) {
-  if (task_of(stage.set).kind != TaskKind::pair) return {place.picture};
+std::vector<Rect> trial_pictures(const Stage& stage, const TrialPlace& place, TaskKind kind) {
+  if (kind != TaskKind::pair) return {place.picture};
   const Rect& all = place.picture;
   const double width_px = std::round(stage.set.manifest.width_px * place.scale);
   return {{all.x_px, all.y_px, width_px, all.height_px},
@@ -37,8 +35,9 @@ std::vector<Rect> trial_pictures(const Stage& stage, const TrialPlace& place) {
 /// Draws what a trial shows; of pictures one after another, number `picture` from 0.
 void show_pictures(Stage& stage, const TrialPlace& place, const Trial& trial, int picture) {
   stage.picture_seen = picture;
-  const std::vector<Trial> shown = shown_pictures(task_of(stage.set), trial);
-  const std::vector<Rect> places = trial_pictures(stage, place);
+  const TaskFacts task = facts_of(task_of(stage.set, trial).get());
+  const std::vector<Trial> shown = shown_pictures(task, trial);
+  const std::vector<Rect> places = trial_pictures(stage, place, task.kind);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const std::size_t which = places.size() > 1 ? i : static_cast<std::size_t>(picture);
     if (const Texture* texture = stage.pictures.find(shown.at(which)))
@@ -49,8 +48,7 @@ void show_pictures(Stage& stage, const TrialPlace& place, const Trial& trial, in
 /// A question with a row of numbered answers below it.
 struct AskedRow {
   const char* id = "";
-  std::string question;
-  Phrase hint = Phrase::choice_hint;
+  std::string question, hint;
   std::vector<std::string> labels;
 };
 
@@ -59,7 +57,7 @@ int ask_row(const TaskTrial& trial, const AskedRow& row) {
   Stage& stage = trial.stage;
   const int count = static_cast<int>(row.labels.size());
   draw_question(stage, trial.place, Font::body, row.question, 0.9);
-  draw_question(stage, trial.place, Font::small, stage.phrase(row.hint), 4.85);
+  draw_question(stage, trial.place, Font::small, row.hint, 4.85);
   move_focus(stage, 0, count - 1);
   const int taken = draw_answer_row(stage, trial.place.questions,
                                     {.id = row.id, .labels = row.labels, .focus = stage.drafts.trial_focus});
@@ -71,11 +69,12 @@ int ask_row(const TaskTrial& trial, const AskedRow& row) {
 Outcome choose_answer(const TaskTrial& trial) {
   Stage& stage = trial.stage;
   int chosen = 1 + ask_row(trial, {.id = "answer",
-                                   .question = stage.set.study.session.question,
-                                   .hint = Phrase::choice_hint,
-                                   .labels = stage.set.study.task->answers});
-  const std::vector<Rect> sides = trial_pictures(stage, trial.place);
-  for (std::size_t i = 0; sides.size() > 1 && stage.input.mouse_pressed && i < sides.size(); ++i)
+                                   .question = trial.texts.question,
+                                   .hint = trial.texts.hint,
+                                   .labels = trial.task->answers});
+  const std::vector<Rect> sides = trial_pictures(stage, trial.place, trial.task->kind);
+  const bool by_picture = sides.size() > 1 && !trial.task->same;
+  for (std::size_t i = 0; by_picture && stage.input.mouse_pressed && i < sides.size(); ++i)
     if (sides[i].contains(stage.input.mouse)) chosen = static_cast<int>(i) + 1;
   if (chosen == 0) return std::nullopt;
   stage.drafts.trial_focus = -1;
@@ -100,9 +99,9 @@ Outcome adjust(const TaskTrial& trial) {
   std::optional<MatchStep> step = step_of_input(stage);
   const int focus = stage.drafts.trial_focus;
   int chosen = 1 + ask_row(trial, {.id = "answer",
-                                   .question = stage.set.study.session.question,
-                                   .hint = Phrase::choice_hint,
-                                   .labels = stage.set.study.task->answers});
+                                   .question = trial.texts.question,
+                                   .hint = trial.texts.hint,
+                                   .labels = trial.task->answers});
   if (step) {
     chosen = static_cast<int>(*step);
     stage.drafts.trial_focus = focus;
@@ -118,11 +117,11 @@ Outcome rate(const TaskTrial& trial, bool after_choice) {
   const SessionDefinition& session = stage.set.study.session;
   const int taken =
       ask_row(trial, {.id = "rating",
-                      .question = after_choice ? session.rating_question : session.question,
-                      .hint = Phrase::rating_hint,
+                      .question = after_choice ? session.rating_question : trial.texts.question,
+                      .hint = after_choice ? trial.texts.rating_hint : trial.texts.hint,
                       .labels = after_choice ? std::vector<std::string>{session.rating_labels.begin(),
                                                                         session.rating_labels.end()}
-                                             : stage.set.study.task->labels});
+                                             : trial.task->labels});
   if (taken < 0) return std::nullopt;
   return Event(RatingGiven{after_choice ? taken + 1 : taken, stage.input.now_ns});
 }
@@ -131,18 +130,23 @@ Outcome rate(const TaskTrial& trial, bool after_choice) {
 Outcome ask(const Session& session, const TaskTrial& trial, const Trial& due, std::int64_t onset_ns) {
   Stage& stage = trial.stage;
   const std::int64_t now_ns = monotonic_ns();
-  if (is_picture_seen(session.pace.task, onset_ns, now_ns + next_frame_ns(stage.display)))
+  const SessionTask& task = task_due(session);
+  if (is_picture_seen(task, onset_ns, now_ns + next_frame_ns(stage.display)))
     show_pictures(stage, trial.place, picture_on_screen(session).value_or(due), 0);
   if (now_ns < onset_ns + session.pace.minimum_viewing_ns) return std::nullopt;
-  if (session.pace.task.facts.adjusts()) return adjust(trial);
+  if (task.facts.adjusts()) return adjust(trial);
   if (std::holds_alternative<Choosing>(session.phase)) return choose_answer(trial);
-  return rate(trial, session.pace.task.facts.chooses);
+  return rate(trial, task.facts.chooses);
 }
 
 }  // namespace
 
-bool asks_for_alternatives(const RenderedSet& set) {
-  return task_of(set).kind != TaskKind::object;
+bool asks_for_alternatives(const RenderedSet& set, const Trial& trial) {
+  return facts_of(task_of(set, trial).get()).kind != TaskKind::object;
+}
+
+AskedTexts asked_by(const Stage& stage, const Trial& trial) {
+  return asked_texts(stage.set.study, task_of(stage.set, trial).get());
 }
 
 bool pictures_are_ready(const Stage& stage, const Trial& trial) {
@@ -158,7 +162,7 @@ std::int64_t next_frame_ns(const DisplayInfo& display) {
 Outcome draw_task_trial(const Session& session, Stage& stage) {
   const std::optional<Trial> due = current_trial(session.trials);
   if (!due) return std::nullopt;
-  const TaskTrial trial{stage, trial_place(stage)};
+  const TaskTrial trial{stage, trial_place(stage), task_of(stage.set, *due), asked_by(stage, *due)};
   const bool two_eyes = stage.pictures.objects(*due).two_eyes;
   const auto grey = [&]() -> Outcome {
     stage.drafts.trial_focus = -1;
@@ -188,13 +192,13 @@ Outcome draw_task_trial(const Session& session, Stage& stage) {
 
 void draw_task_feedback(Stage& stage, const TrialPlace& place, const Trial& trial) {
   const int right = std::max(0, trial.right_index - 1);
-  show_pictures(stage, place, trial, task_of(stage.set).pictures > 1 ? right : 0);
+  show_pictures(stage, place, trial, facts_of(task_of(stage.set, trial).get()).pictures > 1 ? right : 0);
 }
 
-std::string name_of_right(const Stage& stage, int right_index) {
+std::string name_of_right(const Stage& stage, const Trial& trial, int right_index) {
   constexpr std::array<Phrase, 3> sides = {Phrase::left_object, Phrase::middle_object, Phrase::right_object};
   const auto at = static_cast<std::size_t>(right_index - 1);
-  const TaskDefinition* task = stage.set.study.task.get();
+  const std::shared_ptr<const TaskDefinition> task = task_of(stage.set, trial);
   return task != nullptr && at < task->answers.size() ? task->answers[at] : stage.phrase(sides.at(at));
 }
 

@@ -20,6 +20,7 @@ struct TrialOnScreen {
   TrialPlace place;
   const ObjectMap& objects;
   const LookDefinition* view = nullptr;  ///< of a panorama
+  AskedTexts texts = {};
   std::vector<PictureFrame> frames = {};
 
   [[nodiscard]] bool turns() const { return view != nullptr && view->kind == LookKind::mouse; }
@@ -62,9 +63,8 @@ bool arrows(const Stage& stage) {
 
 Outcome choose(const TrialOnScreen& trial) {
   Stage& stage = trial.stage;
-  draw_question(stage, trial.place, Font::body, stage.set.study.session.question, 0.9);
-  draw_question(stage, trial.place, Font::small,
-                trial.turns() ? trial.view->hint : stage.phrase(Phrase::choice_hint), 2.4);
+  draw_question(stage, trial.place, Font::body, trial.texts.question, 0.9);
+  draw_question(stage, trial.place, Font::small, trial.turns() ? trial.view->hint : trial.texts.hint, 2.4);
   if (trial.turns())
     stage.drafts.trial_focus = -1;
   else
@@ -98,7 +98,7 @@ std::vector<Rect> rating_buttons(const TrialOnScreen& trial, Font font) {
 Outcome rate(const TrialOnScreen& trial, const Rating& phase) {
   Stage& stage = trial.stage;
   draw_question(stage, trial.place, Font::body, stage.set.study.session.rating_question, 0.9);
-  draw_question(stage, trial.place, Font::small, stage.phrase(Phrase::rating_hint), 4.85);
+  draw_question(stage, trial.place, Font::small, trial.texts.rating_hint, 4.85);
   if (!(trial.turns() && arrows(stage)))  // which turn the view
     move_focus(stage, 0, trial.turns() ? first_object_place - 1 : places_of(trial) - 1);
   const int hovered_object = trial.object_under_mouse();
@@ -208,9 +208,14 @@ void draw_middle(const TrialOnScreen& trial) {
 Outcome draw_trial(const Session& session, Stage& stage) {
   const std::optional<Trial> due = current_trial(session.trials);
   if (!due) return std::nullopt;
-  if (asks_for_alternatives(stage.set)) return draw_task_trial(session, stage);
+  stage.trial_drawn = due;
+  if (asks_for_alternatives(stage.set, *due)) return draw_task_trial(session, stage);
   take_view(session, *due, stage);
-  const TrialOnScreen trial{stage, trial_place(stage), stage.pictures.objects(*due), look_at(stage, *due),
+  const TrialOnScreen trial{stage,
+                            trial_place(stage),
+                            stage.pictures.objects(*due),
+                            look_at(stage, *due),
+                            asked_by(stage, *due),
                             seen_frames(stage, *due)};
   const Texture* picture = stage.pictures.find(*due);
   const auto show = [&] {

@@ -62,8 +62,9 @@ struct Stage {
   Drafts drafts = {};
   LookDraft looking = {};
   std::optional<PanoramaOnScreen> panorama = {};  ///< of the frame that is being made
-  std::optional<int> picture_seen = {};  ///< in it, of those that a task's trial shows in turn, from 0
-  double text_scale = 1;                 ///< what the person chose, on top of the study's
+  std::optional<Trial> trial_drawn = {};  ///< the last one: where conditions ask differently, what it asks
+  std::optional<int> picture_seen = {};   ///< in it, of those that a task's trial shows in turn, from 0
+  double text_scale = 1;                  ///< what the person chose, on top of the study's
   std::vector<std::vector<Texture>> instruction_pictures = {};  ///< by page
   Texture stripes = {};                                         ///< of the gamma pattern
   bool leave = false;                                           ///< the person asked to leave for now

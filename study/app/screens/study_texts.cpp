@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "stimuli/definition/parts/task_definition.h"
+#include "stimuli/definition/parts/condition_tasks.h"
 
 namespace seamline::study::app {
 
@@ -16,9 +16,13 @@ std::vector<ShownText> shown_texts(const StudyDefinition& study) {
                                   {"training.feedback_wrong", study.training.feedback_wrong}};
   for (const std::string& label : study.session.rating_labels)
     texts.push_back({"session.rating_labels", label});
-  if (study.task) {
-    for (const std::string& answer : study.task->answers) texts.push_back({"task.answers", answer});
-    for (const std::string& label : study.task->labels) texts.push_back({"task.labels", label});
+  for (const TaskGroup& group : task_groups(study)) {
+    const TaskDefinition* task = group.task.get();
+    if (task == nullptr) continue;
+    const std::string table = task == study.task.get() ? "task" : "condition.task";
+    for (const std::string& answer : task->answers) texts.push_back({table + ".answers", answer});
+    for (const std::string& label : task->labels) texts.push_back({table + ".labels", label});
+    if (!task->own.question.empty()) texts.push_back({table + ".question", task->own.question});
   }
   for (const FormField& field : study.form) {
     const std::string where = "form." + field.name;

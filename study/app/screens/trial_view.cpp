@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stimuli/definition/parts/condition_tasks.h"
 #include "study/app/pictures/picture_store.h"
+#include "study/trials/right_rule.h"
 #include "study/trials/trial_picture.h"
 #include "window/look.h"
 
@@ -21,7 +23,10 @@ Size shown_size(const Stage& stage) {
     const std::array<int, 2>& view_px = look_at(stage, *stage.looking.trial)->view_px;
     return size(view_px[0], view_px[1]);
   }
-  const auto [width_px, height_px] = shown_size_px(stage.set);
+  const bool by_trial = stage.trial_drawn && has_own_tasks(stage.set.study);
+  const auto [width_px, height_px] =
+      by_trial ? shown_size_px(stage.set, facts_of(task_of(stage.set, *stage.trial_drawn).get()).kind)
+               : shown_size_px(stage.set);
   return size(width_px, height_px);
 }
 

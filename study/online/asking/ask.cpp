@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "stimuli/definition/parts/condition_tasks.h"
 #include "stimuli/set/manifest_pictures.h"
 #include "stimuli/study_file/study_file.h"
 #include "study/log/log_writer.h"
@@ -61,6 +62,7 @@ AskJson question_of(const RenderedSet& set, const Trial& trial, int index, int m
                       {"object_index", shown.stimulus.object_index},
                       {"condition", shown.stimulus.condition},
                       {"level", shown.stimulus.level}};
+  if (has_own_tasks(set.study)) question["task"] = word(facts_of(task_of(set, trial).get()).kind);
   if (!shown.image.empty() && trial.kind == TrialKind::stimulus)
     question["picture"] = path_in_set(set.folder, shown.image).string();
   return question;
@@ -131,7 +133,8 @@ void ask(const AskRequest& request, const LineSource& hear_line, const LineSink&
     store_due_trial(trials, log, place);
     const int index = answered_trials(trials);
     say_line(text_of(question_of(set, *due, index, study::most_trials(trials))));
-    const std::optional<TrialAnswer> answer = hear(hear_line, say_line, index, rules.task.alternatives);
+    const std::optional<TrialAnswer> answer =
+        hear(hear_line, say_line, index, rules.task_of(*due).alternatives);
     if (!answer) return;
     log.append_answer(place, *answer);
     trials = after_answer(std::move(trials), *answer);

@@ -267,7 +267,7 @@ std::optional<std::pair<int, Trial>> Intake::next_trial(const std::string& code)
 }
 
 std::vector<Trial> Intake::pictures_of(const Trial& trial) const {
-  return shown_pictures(rules_.task, trial);
+  return shown_pictures(rules_.task_of(trial), trial);
 }
 
 std::string Intake::sender_of(const std::string& message_id) {

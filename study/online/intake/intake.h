@@ -134,7 +134,7 @@ class Intake {
   void store(Person& person, const AnswerBody& body);
   void store(Person& person, const EventBody& body);
   void store_completion(Person& person);
-  void check_choice(const PictureAnswer& answer) const;
+  void check_choice(const Trial& planned, const PictureAnswer& answer) const;
   void check_shown(const Trial& planned, const PictureAnswer& answer, const std::string& which) const;
   [[nodiscard]] int matched_stimulus(const Trial& planned, const PictureAnswer& answer,
                                      const std::string& which) const;

@@ -91,9 +91,10 @@ void Intake::store(Person& who, const DisplayBody& body) {
 }
 
 /// A message alone does not say among how many the participant chose.
-void Intake::check_choice(const PictureAnswer& answer) const {
-  if (answer.chosen_index > rules_.task.alternatives)
-    throw wrong("body.chosen_index", fmt::format("1 to {}", rules_.task.alternatives),
+void Intake::check_choice(const Trial& planned, const PictureAnswer& answer) const {
+  const int alternatives = rules_.task_of(planned).alternatives;
+  if (answer.chosen_index > alternatives)
+    throw wrong("body.chosen_index", fmt::format("1 to {}", alternatives),
                 std::to_string(answer.chosen_index));
 }
 
@@ -118,8 +119,8 @@ void Intake::store(Person& who, const TrainingBody& body) {
   if (body.training_index >= static_cast<int>(script_.training.size()))
     throw wrong("body.training_index", fmt::format("one of {} practice trials", script_.training.size()),
                 std::to_string(body.training_index));
-  check_choice(body.answer);
   const Trial& planned = script_.training[static_cast<std::size_t>(body.training_index)];
+  check_choice(planned, body.answer);
   check_shown(planned, body.answer, which);
   if (!log_.append_training(who.stored,
                             {.trial = planned, .answer = answer_of(body.training_index, body.answer)}))
@@ -136,8 +137,8 @@ void Intake::store(Person& who, const AnswerBody& body) {
   if (body.trial_index >= static_cast<int>(stored.place.trials.size()))
     throw conflict(which, fmt::format("one of {} planned trials", stored.place.trials.size()),
                    "one that is not planned");
-  check_choice(body.answer);
   const Trial& planned = stored.place.trials[static_cast<std::size_t>(body.trial_index)];
+  check_choice(planned, body.answer);
   if (!rules_.ladders) check_shown(planned, body.answer, which);
   if (rules_.is_adaptive() && body.trial_index != stored.place.answered)
     throw conflict(which, fmt::format("the trial that is due, {}", stored.place.answered), "another one");

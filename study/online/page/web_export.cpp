@@ -195,11 +195,11 @@ WebSummary export_web(const WebRequest& request) {
   const TrialRules rules = make_trial_rules(set);
   const ShownNames names(set);
   const WebPictures pictures = add_pictures(set, names, files);
+  const WebParts parts{names, pictures, rules, places_of_tasks(set)};
   const int slots = slots_of(set, request);
   for (int slot = 0; !rules.is_adaptive() && slot < slots; ++slot) {
     stop_if_interrupted();
-    files.add(order_file(slot), order_text({names, pictures, rules.task, rules.ladders.get()},
-                                           decided_trials(rules, slot, {})));
+    files.add(order_file(slot), order_text(parts, decided_trials(rules, slot, {})));
   }
   const std::string font = add_font(set, set.study.session.font, files);
   const std::vector<std::vector<std::string>> instructions = add_instruction_pictures(set, files);

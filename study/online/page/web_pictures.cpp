@@ -4,8 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "stimuli/definition/looks/study_look.h"
-#include "stimuli/definition/parts/task_definition.h"
+#include "stimuli/definition/parts/condition_tasks.h"
 #include "stimuli/set/manifest_pictures.h"
+#include "study/trials/right_rule.h"
 #include "study/trials/trial_clip.h"
 #include "study/trials/trial_picture.h"
 #include "support/files/atomic_file.h"
@@ -67,7 +68,9 @@ std::vector<Trial> every_trial(const RenderedSet& set, const ShownNames& names) 
   std::vector<Trial> trials;
   for (const TrialKind kind : every_trial_kind) {
     if (kind == TrialKind::attention && set.study.catches.attention == 0) continue;
-    const bool beside = facts_of(set.study.task.get()).draws_right;  // the reference is shown with each
+    bool beside = false;  // the reference is shown with each
+    for (const TaskGroup& group : task_groups(set.study))
+      beside = beside || shows_references(facts_of(group.task.get()));
     if (kind == TrialKind::reference && set.study.catches.reference == 0 && !beside) continue;
     for (int i = 0; i < static_cast<int>(set.manifest.stimuli.size()); ++i)
       trials.push_back({.kind = kind, .stimulus = i});

@@ -8,7 +8,7 @@
 
 #include "stimuli/definition/looks/study_look.h"
 #include "stimuli/definition/moving/clip_definition.h"
-#include "stimuli/definition/parts/task_definition.h"
+#include "stimuli/definition/parts/condition_tasks.h"
 #include "stimuli/definition/people/language_definition.h"
 #include "stimuli/definition/people/recruitment_definition.h"
 #include "study/online/page/web_format.h"
@@ -33,11 +33,13 @@ Json trial_json(const ShownNames& names, const WebPictures& pictures, const Tria
 /// match those of its ladder, their names, and with which it begins.
 Json trial_json(const WebParts& parts, const Trial& trial) {
   Json json = trial_json(parts.names, parts.pictures, trial);
-  const std::vector<Trial> shown = parts.ladders != nullptr ? pictures_of_ladder(*parts.ladders, trial)
-                                                            : shown_pictures(parts.task, trial);
+  const LevelLadders* ladders = parts.rules.ladders.get();
+  const std::vector<Trial> shown = ladders != nullptr ? pictures_of_ladder(*ladders, trial)
+                                                      : shown_pictures(parts.rules.task_of(trial), trial);
+  if (!parts.own_task.empty()) json["task"] = parts.own_task.at(static_cast<std::size_t>(trial.stimulus));
   if (shown.size() < 2) return json;
-  if (parts.ladders != nullptr) {
-    json["start"] = parts.ladders->places.at(static_cast<std::size_t>(trial.stimulus)).rung;
+  if (ladders != nullptr) {
+    json["start"] = ladders->places.at(static_cast<std::size_t>(trial.stimulus)).rung;
     json["names"] = Json::array();
     for (const Trial& one : shown) json["names"].push_back(parts.names.name_of(one));
   }
@@ -47,14 +49,39 @@ Json trial_json(const WebParts& parts, const Trial& trial) {
   return json;
 }
 
-Json task_json(const StudyDefinition& study, const SessionTask& task) {
+Json task_json(const TaskDefinition* definition, const SessionTask& task) {
   Json json = {{"kind", word(task.facts.kind)},   {"alternatives", task.facts.alternatives},
                {"pictures", task.facts.pictures}, {"exposure_ns", task.exposure_ns},
                {"gap_ns", task.gap_ns},           {"chooses", task.facts.chooses},
                {"rates", task.facts.rates},       {"pair_gap_px", pair_gap_px},
-               {"answers", study.task->answers},  {"labels", study.task->labels}};
+               {"answers", Json::array()},        {"labels", Json::array()}};
+  if (definition != nullptr) {
+    json["answers"] = definition->answers;
+    json["labels"] = definition->labels;
+  }
   if (task.facts.adjusts()) json["adjusts"] = true;
+  if (task.facts.compares) json["compares"] = true;
   return json;
+}
+
+/// What conditions with tasks of their own ask, each with all its words; a trial says which it is.
+Json own_tasks_json(const RenderedSet& set, const VisitScript& script) {
+  Json tasks = Json::array();
+  for (const TaskGroup& group : task_groups(set.study)) {
+    SessionTask paced;
+    for (std::size_t i = 0; i < set.manifest.stimuli.size(); ++i)
+      if (set.manifest.stimuli[i].stimulus.condition == group.conditions.front())
+        paced = script.pace.own_tasks->at(i);
+    Json json = task_json(group.task.get(), paced);
+    const AskedTexts texts = asked_texts(set.study, group.task.get());
+    json.update({{"question", texts.question},
+                 {"hint", texts.hint},
+                 {"rating_hint", texts.rating_hint},
+                 {"feedback_right", texts.feedback_right},
+                 {"feedback_wrong", texts.feedback_wrong}});
+    tasks.push_back(std::move(json));
+  }
+  return tasks;
 }
 
 Json texts_json(const StudyDefinition& study) {
@@ -109,10 +136,11 @@ Json consent_json(const ConsentDefinition& consent) {
 }
 
 Json training_json(const WebStudy& web, const VisitScript& script) {
+  const WebParts parts{web.names, web.pictures, web.rules, places_of_tasks(web.set)};
   Json trials = Json::array();
   for (std::size_t i = 0; i < script.training.size(); ++i) {
     Json trial = {{"training_index", i}};
-    trial.update(trial_json(WebParts{web.names, web.pictures, web.rules.task}, script.training[i]));
+    trial.update(trial_json(parts, script.training[i]));
     trial["right_index"] = script.training_right[i];
     trials.push_back(std::move(trial));
   }
@@ -242,7 +270,8 @@ std::string web_study_text(const WebStudy& web) {
       json["languages"].push_back({{"tag", language.tag}, {"file", language_file(language.tag)}});
   }
   if (study.clip) json["clip"] = {{"frames_per_s", study.clip->frames_per_s}, {"loops", study.clip->loops}};
-  if (study.task) json["task"] = task_json(study, script.pace.task);
+  if (study.task) json["task"] = task_json(study.task.get(), script.pace.task);
+  if (has_own_tasks(study)) json["tasks"] = own_tasks_json(web.set, script);
   return json.dump(1) + "\n";
 }
 
@@ -258,8 +287,20 @@ std::string web_language_text(const WebStudy& web, const StudyDefinition& read, 
                {"feedback_right", read.training.feedback_right},
                {"feedback_wrong", read.training.feedback_wrong},
                {"texts", texts_json(read)}};
-  if (read.task) json["task"] = task_json(read, make_visit_script(web.set).pace.task);
+  if (read.task) json["task"] = task_json(read.task.get(), make_visit_script(web.set).pace.task);
   return json.dump(1) + "\n";
+}
+
+std::vector<int> places_of_tasks(const RenderedSet& set) {
+  std::vector<int> places;
+  if (!has_own_tasks(set.study)) return places;
+  const std::vector<TaskGroup> groups = task_groups(set.study);
+  for (const ManifestStimulus& record : set.manifest.stimuli)
+    for (std::size_t group = 0; group < groups.size(); ++group)
+      if (const std::vector<std::string>& names = groups[group].conditions;
+          std::find(names.begin(), names.end(), record.stimulus.condition) != names.end())
+        places.push_back(static_cast<int>(group));
+  return places;
 }
 
 std::string language_file(const std::string& tag) {

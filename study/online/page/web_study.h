@@ -41,9 +41,13 @@ struct WebStudy {
 struct WebParts {
   const ShownNames& names;
   const WebPictures& pictures;
-  const TaskFacts& task;
-  const LevelLadders* ladders = nullptr;  ///< of a match
+  const TrialRules& rules;
+  std::vector<int> own_task = {};  ///< of each stimulus its place among the study's tasks; else none
 };
+
+/// Of each stimulus of a set whose conditions have tasks of their own the place of its task among
+/// `task_groups`; else none.
+[[nodiscard]] std::vector<int> places_of_tasks(const RenderedSet& set);
 
 /// `orders/SLOT.json`: the trials of a slot, as the window has them.
 [[nodiscard]] std::string order_text(const WebParts& parts, std::span<const Trial> trials);

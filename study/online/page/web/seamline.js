@@ -72,8 +72,8 @@ function readStudy(json) {
   if (json.format !== FORMAT) throw new Error("study.json is of another version");
   const sizes = json.looks?.map((look) => look.view_px) ?? [[json.width_px, json.height_px]];
   const largest = (side) => Math.max(...sizes.map((size) => size[side]));
-  const pair = json.task?.kind === "pair";
-  const width = pair ? 2 * json.width_px + json.task.pair_gap_px : largest(0);
+  const pair = [json.task, ...(json.tasks ?? [])].find((task) => task?.kind === "pair");
+  const width = pair ? 2 * json.width_px + pair.pair_gap_px : largest(0);
   return { ...json, picture: { width, height: largest(1) } };
 }
 
@@ -133,7 +133,7 @@ class Study {
       form: study.form,
       instruction_pages: study.instructions.length,
       training: study.training,
-      pace: { ...study.pace, task: study.task },
+      pace: { ...study.pace, task: study.task, tasks: study.tasks },
     };
     this.screen = watchScreen(document.getElementById("probe"), (kind, detail) => this.note(kind, detail));
     this.pictures = makePictures(study.pictures, study.clip ?? null, { away: this.away, progress: () => this.#showStatus(), failed: (error) => this.failed(error) });

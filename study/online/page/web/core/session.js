@@ -4,7 +4,9 @@ import { afterAnswer, currentTrial } from "./trials.js";
 
 // What a trial asks of a study that names no task (stimuli/definition/parts/task_definition.h).
 const PAPERS_TASK = { kind: "object", alternatives: 3, pictures: 1, exposure_ns: 0, gap_ns: 0, chooses: true, rates: true };
-export const taskOf = (pace) => pace.task ?? PAPERS_TASK;
+/** What a trial asks; `pace.tasks` are those of conditions that have their own. */
+export const taskOf = (pace, trial) => pace.tasks?.[trial?.task ?? 0] ?? pace.task ?? PAPERS_TASK;
+const taskDue = (session) => taskOf(session.pace, currentTrial(session.trials));
 
 /** Where the next picture begins. */
 const beforeImage = (pace) =>
@@ -23,17 +25,17 @@ function afterShown(event, phase, task) {
   return { name: "choosing", onset_ns: event.now_ns };
 }
 
-function afterViewing(phase, event, pace) {
-  const task = taskOf(pace);
-  if (event.type === "picture_taken") return beforeImage(pace);
+function afterViewing(phase, event, session) {
+  const task = taskDue(session);
+  if (event.type === "picture_taken") return beforeImage(session.pace);
   if (event.type !== "tick" || event.now_ns - phase.onset_ns < task.exposure_ns) return phase;
   if (phase.picture + 1 === task.pictures) return { name: "choosing", onset_ns: phase.onset_ns };
   return { name: "gap", since_ns: phase.onset_ns + task.exposure_ns, picture: phase.picture + 1 };
 }
 
-function afterGap(phase, event, pace) {
-  if (event.type === "picture_taken") return beforeImage(pace);
-  if (event.type !== "tick" || event.now_ns - phase.since_ns < taskOf(pace).gap_ns) return phase;
+function afterGap(phase, event, session) {
+  if (event.type === "picture_taken") return beforeImage(session.pace);
+  if (event.type !== "tick" || event.now_ns - phase.since_ns < taskDue(session).gap_ns) return phase;
   return { name: "awaiting", picture: phase.picture };
 }
 
@@ -41,17 +43,17 @@ function afterGap(phase, event, pace) {
 export const isPictureSeen = (task, onset_ns, now_ns) =>
   task.pictures === 1 && (task.exposure_ns === 0 || now_ns - onset_ns < task.exposure_ns);
 
-const isChoice = (event, onset_ns, pace) =>
-  event.index >= 1 && event.index <= taskOf(pace).alternatives && event.now_ns >= onset_ns &&
-  event.now_ns - onset_ns >= pace.minimum_viewing_ns;
+const isChoice = (event, onset_ns, session) =>
+  event.index >= 1 && event.index <= taskDue(session).alternatives && event.now_ns >= onset_ns &&
+  event.now_ns - onset_ns >= session.pace.minimum_viewing_ns;
 
 function afterChoice(phase, event, session) {
-  const pace = session.pace;
-  if (event.type === "picture_taken") return beforeImage(pace);
-  if (event.type !== "object_chosen" || !isChoice(event, phase.onset_ns, pace)) return phase;
-  if (taskOf(pace).adjusts) return afterStep(phase, event, session);
+  const task = taskDue(session);
+  if (event.type === "picture_taken") return beforeImage(session.pace);
+  if (event.type !== "object_chosen" || !isChoice(event, phase.onset_ns, session)) return phase;
+  if (task.adjusts) return afterStep(phase, event, session);
   const chosen = { chosen_index: event.index, choice_ns: event.now_ns - phase.onset_ns };
-  if (taskOf(pace).rates) return { name: "rating", onset_ns: phase.onset_ns, ...chosen };
+  if (task.rates) return { name: "rating", onset_ns: phase.onset_ns, ...chosen };
   const answer = { trial_index: session.trials.answered, ...chosen, rating: 1, rating_ns: chosen.choice_ns };
   return { name: "storing", answer };
 }
@@ -89,7 +91,7 @@ function afterOnlyRating(phase, event, session) {
 
 function afterRating(phase, event, session) {
   if (event.type === "picture_taken") return beforeImage(session.pace);
-  if (!taskOf(session.pace).chooses) return afterOnlyRating(phase, event, session);
+  if (!taskDue(session).chooses) return afterOnlyRating(phase, event, session);
   if (event.type === "object_chosen") {
     const again = afterChoice({ name: "choosing", onset_ns: phase.onset_ns }, event, session);
     return again.name === "rating" ? again : phase;
@@ -139,11 +141,11 @@ export function nextSession(session, event) {
     case "grey":
       return becomes(afterGrey(phase, event, session.pace));
     case "awaiting":
-      return event.type === "image_shown" ? becomes(afterShown(event, phase, taskOf(session.pace))) : session;
+      return event.type === "image_shown" ? becomes(afterShown(event, phase, taskDue(session))) : session;
     case "viewing":
-      return becomes(afterViewing(phase, event, session.pace));
+      return becomes(afterViewing(phase, event, session));
     case "gap":
-      return becomes(afterGap(phase, event, session.pace));
+      return becomes(afterGap(phase, event, session));
     case "choosing":
       return becomes(afterChoice(phase, event, session));
     case "rating":

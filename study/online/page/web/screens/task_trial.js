@@ -4,10 +4,10 @@ import { isPictureSeen, taskOf } from "../core/session.js";
 import { currentTrial, trialsAhead } from "../core/trials.js";
 import { nanoseconds } from "../core/messages.js";
 import { element, svg } from "./dom.js";
-import { answerRow, answering, exposures, lateFrames, showProgress, tightenRow } from "./trial_parts.js";
+import { answerRow, answering, askedBy, exposures, lateFrames, showProgress, shownSize, tightenRow } from "./trial_parts.js";
 
 /** The stage of a picture: everything is placed in pixels of the screen. */
-function makeStage(app, display) {
+function makeStage(app, display, task) {
   const fixation = svg("path", { class: "fixation" });
   const overlay = svg("svg", { class: "overlay", "aria-hidden": "true" }, fixation);
   const question = element("h1", { id: "title" });
@@ -15,7 +15,7 @@ function makeStage(app, display) {
   const answers = element("div", { class: "answers" });
   const questions = element("div", { class: "questions" }, question, hint, answers);
   const node = element("div", { class: "stage" }, overlay, questions);
-  const isPair = app.study.task?.kind === "pair";
+  const isPair = task.kind === "pair";
   display.append(node);
   const stage = { node, overlay, fixation, question, hint, answers, questions, images: [], place: null };
 
@@ -23,7 +23,7 @@ function makeStage(app, display) {
   stage.layOut = () => {
     const ratio = devicePixelRatio;
     const size = app.screen.size();
-    const place = placeTrial(size, app.study.picture, app.em());
+    const place = placeTrial(size, shownSize(app, task), app.em());
     stage.place = place;
     overlay.setAttribute("viewBox", "0 0 " + size.width + " " + size.height);
     const x = place.x + Math.round(place.width / 2);
@@ -80,10 +80,11 @@ export function drawTaskTrial(app, display, isPractice) {
   const session = () => (isPractice ? app.visit.training : app.visit.session);
   const trial = currentTrial(session().trials);
   if (trial === null) return {}; // all are answered, and the completion is being stored
-  const stage = makeStage(app, display);
+  const task = taskOf(session().pace, trial);
+  const texts = askedBy(app, task);
+  const stage = makeStage(app, display, task);
   const detail = isPractice ? "practice" : "";
   let picture = null; // what is shown, once it is decoded
-  const task = taskOf(session().pace);
   let ratings = []; // the buttons of the row of answers
   let asked = ""; // the phase whose question stands there
   let shownWith = null; // the frame that shows the picture has begun
@@ -102,17 +103,17 @@ export function drawTaskTrial(app, display, isPractice) {
   const isOpen = (now) => now >= phase().onset_ns + session().pace.minimum_viewing_ns;
 
   function showQuestion() {
-    stage.question.textContent = app.study.question;
-    stage.hint.textContent = app.phrase("choice_hint");
+    stage.question.textContent = texts.question;
+    stage.hint.textContent = texts.hint;
     ratings = answerRow(stage, "answer", task.answers, choose);
   }
 
   const takeRating = (digit, event) => rate(task.chooses ? digit : digit - 1, event);
 
   function showRatings() {
-    const question = task.chooses ? app.study.rating_question : app.study.question;
+    const question = task.chooses ? app.study.rating_question : texts.question;
     stage.question.textContent = question;
-    stage.hint.textContent = app.phrase("rating_hint");
+    stage.hint.textContent = task.chooses ? texts.rating_hint : texts.hint;
     ratings = answerRow(stage, "rating", task.chooses ? app.study.rating_labels : task.labels, takeRating);
     app.say(question);
   }
@@ -146,7 +147,7 @@ export function drawTaskTrial(app, display, isPractice) {
         showRatings();
       } else {
         showQuestion();
-        app.say(app.study.question);
+        app.say(texts.question);
       }
     }
     stage.questions.hidden = !asking;
@@ -187,7 +188,7 @@ export function drawTaskTrial(app, display, isPractice) {
   /** A pair is answered by the picture itself, too. */
   const onPress = (event) => {
     if (event.button !== 0 || event.target.closest("button") || app.guard.problem() !== null) return;
-    if (task.kind !== "pair" || phase().name !== "choosing" || stage.questions.hidden) return;
+    if (task.kind !== "pair" || task.compares || phase().name !== "choosing" || stage.questions.hidden) return;
     const ratio = devicePixelRatio;
     const side = sideAt(app.study, event.clientX * ratio - stage.place.x, event.clientY * ratio - stage.place.y);
     if (side > 0) choose(side, event);
@@ -274,10 +275,11 @@ export function drawTaskTrial(app, display, isPractice) {
 /** The pictures of the practice once more. */
 export function drawTaskFeedback(app, display) {
   const { trial, chosen_index } = app.visit.screen;
-  const stage = makeStage(app, display);
+  const task = taskOf(app.script.pace, trial);
+  const texts = askedBy(app, task);
+  const stage = makeStage(app, display, task);
   const right = trial.right_index;
-  const text = chosen_index === right ? app.study.feedback_right : app.study.feedback_wrong;
-  const task = taskOf(app.script.pace);
+  const text = chosen_index === right ? texts.feedback_right : texts.feedback_wrong;
   const name = right > 0 ? (task.answers[right - 1] ?? "") : "";
   stage.question.textContent = right > 0 ? app.fill(text, { object: name }) : "";
   const button = element(

@@ -3,9 +3,10 @@ import { bracketBars, objectAt, placeTrial } from "../core/place.js";
 import { currentTrial, trialsAhead } from "../core/trials.js";
 import { nanoseconds } from "../core/messages.js";
 import * as looking from "../core/looking.js";
+import { taskOf } from "../core/session.js";
 import { drawTaskFeedback, drawTaskTrial } from "./task_trial.js";
 import { element, svg } from "./dom.js";
-import { answerRow, answering, lateFrames, showProgress, tightenRow } from "./trial_parts.js";
+import { answerRow, answering, askedBy, lateFrames, showProgress, shownSize, tightenRow } from "./trial_parts.js";
 
 const SIDES = ["left_object", "middle_object", "right_object"];
 
@@ -93,7 +94,7 @@ function viewOf(app, trial) {
   const look = looking.lookOf(app.study, trial.stimulus_id);
   if (look === null)
     return {
-      size_px: app.study.picture,
+      size_px: shownSize(app, taskOf(app.script.pace, trial)),
       turns: false,
       worn: false,
       poses: { add() {}, take: () => [] },
@@ -150,16 +151,16 @@ function viewOf(app, trial) {
 }
 
 /** What an object is called: by its side where there are three, else as the study says. */
-const objectName = (app, index) => app.study.task?.answers?.[index - 1] ?? app.phrase(SIDES[index - 1]);
+const objectName = (app, task, index) => task.answers?.[index - 1] ?? app.phrase(SIDES[index - 1]);
 
 /** What lies below the objects for keyboards and screen readers: it sees no mouse. */
-function objectButtons(app, stage, map, choose) {
+function objectButtons(app, stage, map, task, choose) {
   const buttons = map.frames.map((frame, at) =>
     element("button", {
       type: "button",
       class: "object",
       id: "object-" + (at + 1),
-      "aria-label": at + 1 + " " + objectName(app, at + 1),
+      "aria-label": at + 1 + " " + objectName(app, task, at + 1),
       onclick: (event) => choose(at + 1, event),
     })
   );
@@ -187,6 +188,8 @@ function drawTrial(app, display, isPractice) {
   const trial = currentTrial(session().trials);
   if (trial === null) return {}; // all are answered, and the completion is being stored
   const view = viewOf(app, trial);
+  const task = taskOf(session().pace, trial);
+  const texts = askedBy(app, task);
   app.looking = view; // for tests, and for who looks
   const stage = makeStage(app, display, view.size_px);
   const detail = isPractice ? "practice" : "";
@@ -239,8 +242,8 @@ function drawTrial(app, display, isPractice) {
   }
 
   function showQuestion() {
-    stage.question.textContent = app.study.question;
-    stage.hint.textContent = view.hint ?? app.phrase("choice_hint");
+    stage.question.textContent = texts.question;
+    stage.hint.textContent = view.hint ?? texts.hint;
     stage.answers.replaceChildren();
     ratings = [];
   }
@@ -248,7 +251,7 @@ function drawTrial(app, display, isPractice) {
   function showRatings() {
     if (ratings.length > 0) return;
     stage.question.textContent = app.study.rating_question;
-    stage.hint.textContent = app.phrase("rating_hint");
+    stage.hint.textContent = texts.rating_hint;
     ratings = answerRow(stage, "rating", app.study.rating_labels, rate);
     app.say(app.study.rating_question);
   }
@@ -262,7 +265,7 @@ function drawTrial(app, display, isPractice) {
     const asking = now.name === "rating" || (now.name === "choosing" && isOpen(nanoseconds(performance.now())));
     if (asking && now.name === "choosing" && (stage.questions.hidden || ratings.length > 0)) {
       showQuestion();
-      app.say(app.study.question);
+      app.say(texts.question);
     }
     if (now.name === "rating") showRatings();
     stage.questions.hidden = !asking;
@@ -466,7 +469,7 @@ function drawTrial(app, display, isPractice) {
     picture = ready;
     const shown = view.shown(ready.image);
     if (!view.worn) stage.put(shown);
-    controls = objectButtons(app, stage, view.turns || view.worn ? { frames: [] } : { frames: view.frames(ready.map) }, choose);
+    controls = objectButtons(app, stage, view.turns || view.worn ? { frames: [] } : { frames: view.frames(ready.map) }, task, choose);
     controls.place();
     update();
     const next = ahead[1];
@@ -493,21 +496,25 @@ function drawTrial(app, display, isPractice) {
   };
 }
 
-const hasAlternatives = (app) => (app.study.task?.kind ?? "object") !== "object";
-const drawAny = (app, display, isPractice) =>
-  hasAlternatives(app) ? drawTaskTrial(app, display, isPractice) : drawTrial(app, display, isPractice);
+const hasAlternatives = (app, trial) => taskOf(app.script.pace, trial).kind !== "object";
+function drawAny(app, display, isPractice) {
+  const trial = currentTrial((isPractice ? app.visit.training : app.visit.session).trials);
+  return (hasAlternatives(app, trial) ? drawTaskTrial : drawTrial)(app, display, isPractice);
+}
 export const drawTraining = (app, display) => drawAny(app, display, true);
 export const drawStudyTrial = (app, display) => drawAny(app, display, false);
 
 /** The practice picture once more, with corners around the object that was inserted. */
 export function drawFeedback(app, display) {
-  if (hasAlternatives(app)) return drawTaskFeedback(app, display);
   const { trial, chosen_index } = app.visit.screen;
+  if (hasAlternatives(app, trial)) return drawTaskFeedback(app, display);
+  const task = taskOf(app.script.pace, trial);
+  const texts = askedBy(app, task);
   const view = viewOf(app, trial);
   const stage = makeStage(app, display, view.size_px);
   const right = trial.right_index;
-  const text = chosen_index === right ? app.study.feedback_right : app.study.feedback_wrong;
-  stage.question.textContent = right > 0 ? app.fill(text, { object: objectName(app, right) }) : "";
+  const text = chosen_index === right ? texts.feedback_right : texts.feedback_wrong;
+  stage.question.textContent = right > 0 ? app.fill(text, { object: objectName(app, task, right) }) : "";
   const button = element(
     "button",
     { type: "button", id: "continue", class: "leading", onclick: () => app.step({ type: "continued" }) },

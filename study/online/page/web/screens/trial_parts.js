@@ -14,6 +14,19 @@ export function showProgress(app, node, { answered, most }, isPractice) {
   node.append(bar, element("p", { class: "progress-words" }, app.phrase("progress", { done: answered, all: most })));
 }
 
+/** What a task asks and says: its own words, where conditions ask differently, else the study's. */
+export const askedBy = (app, task) => ({
+  question: task.question ?? app.study.question,
+  hint: task.hint ?? app.phrase(task.chooses ? "choice_hint" : "rating_hint"),
+  rating_hint: task.rating_hint ?? app.phrase("rating_hint"),
+  feedback_right: task.feedback_right ?? app.study.feedback_right,
+  feedback_wrong: task.feedback_wrong ?? app.study.feedback_wrong,
+});
+
+/** Width and height of what a trial shows at a time; the study's is that of the widest. */
+export const shownSize = (app, task) =>
+  app.study.tasks && task.kind !== "pair" ? { ...app.study.picture, width: app.study.width_px } : app.study.picture;
+
 /** Choices and ratings as events of the session, noted where they changed something. */
 export function answering(app, session, isPractice) {
   const detail = isPractice ? "practice" : "";
