@@ -206,6 +206,12 @@ double most_mesh_albedo(const std::vector<Stimulus>& of_truth) {
   return 0;
 }
 
+bool light_of_one_geometry(const std::vector<Stimulus>& of_truth) {
+  return std::all_of(of_truth.begin(), of_truth.end(), [](const Stimulus& stimulus) {
+    return light_of_one_geometry(recipe(stimulus.artifact, stimulus.isolation).answers);
+  });
+}
+
 }  // namespace
 
 EstimateOptions estimate_options(const std::vector<Stimulus>& of_truth, const RenderSettings& settings,
@@ -218,7 +224,8 @@ EstimateOptions estimate_options(const std::vector<Stimulus>& of_truth, const Re
           .who_is_in_front = asked.occlusion == Who::depth,
           .depth_bounces = asked.bounce == Who::depth,
           .most_mesh_albedo = most_mesh_albedo(of_truth),
-          .omit = settings.omit};
+          .omit = settings.omit,
+          .light_of_one_geometry = light_of_one_geometry(of_truth)};
 }
 
 RenderPlan render_plan(const StudyDefinition& study, const std::map<std::string, LightFacts>& lights,

@@ -47,6 +47,9 @@ EstimatorChoices fast_choices(const LightFacts& light, double exposure_ev, const
 
   if (omit.bounce_filter && (choices.bounces > 0 || light.emits))
     choices.filters = {no_filter, {1, 5.0F}, {2, 5.0F}, {2, 3.0F}, {2, 2.0F}};
+  // What the sky lights is as smooth as what bounces. A map's light has edges.
+  choices.filters_sky = options.light_of_one_geometry && choices.bounces > 0 && !light.sky_is_dark &&
+                        !light.sky_is_mapped && choices.filters.size() > 1;
   // Few samples, filtered more. Where there is nothing but sky a ratio of few samples is noisiest and its
   // light smoothest: a weaker filter would leave blotches.
   if (omit.bounce_filter)

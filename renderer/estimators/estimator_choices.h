@@ -20,6 +20,9 @@ struct EstimateOptions {
   double most_mesh_albedo = 0;    ///< of depth meshes that are painted from a photograph; 0: there are none
   Omissions omit = {};            ///< what the fast estimator leaves out
   bool keeps_error_maps = false;  ///< with each stimulus of the fast estimator, for the error of changes
+  /// One geometry answers for all light of each stimulus; none takes bounce light of one and sky of the
+  /// other.
+  bool light_of_one_geometry = false;
 };
 
 /// Everything that an estimator decides about a scene before it has seen a sample: how many samples, which
@@ -57,6 +60,8 @@ struct EstimatorChoices {
   double surely_biased = 0;
 
   bool keeps_who_is_in_front = false;  ///< what an object hides, and whether it is hidden, of every sample
+  /// The photograph's sky is looked for by the rays of bounce light and filtered with it.
+  bool filters_sky = false;
 
   bool operator==(const EstimatorChoices&) const = default;
 };

@@ -45,6 +45,12 @@ struct Answers {
   return answers.real_lit == Who::depth || answers.bounce == Who::depth;
 }
 
+/// Whether one geometry answers for all diffuse light, so that sky and bounce light need not be kept apart.
+[[nodiscard]] inline bool light_of_one_geometry(const Answers& answers) {
+  return answers.receiver == answers.bounce && answers.real_lit == answers.bounce &&
+         answers.object_lit == answers.bounce;
+}
+
 /// Whose pixels a stimulus shows; the others come from the reference.
 enum class Keep { everything, object_only, all_but_object };
 

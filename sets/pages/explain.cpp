@@ -85,7 +85,8 @@ std::string choices_text(const EstimatorChoices& choices) {
   if (choices.tail_every > 1) rows.back()[1] += fmt::format(", a tail every {} samples", choices.tail_every);
   if (fast)
     rows.push_back(
-        {"filters", fmt::format("bounce light at most {}, what only decides a ratio {}",
+        {"filters", fmt::format("{} at most {}, what only decides a ratio {}",
+                                choices.filters_sky ? "bounce light and sky" : "bounce light",
                                 filter_text(choices.filters.back()), filter_text(choices.ratio_filter))});
   return "  How it is sampled:\n" + table(rows, 4);
 }

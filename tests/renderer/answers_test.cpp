@@ -35,5 +35,16 @@ TEST(Answers, AnOcclusionAsksTheDepthMeshButNotForLight) {
   EXPECT_FALSE(asked_by_any({}).needs_depth());
 }
 
+TEST(Answers, LightIsOfOneGeometryWhereNoneTakesTheSkyOfOneAndTheBouncesOfTheOther) {
+  for (const Artifact artifact : {Artifact::occlusion, Artifact::reflection, Artifact::all, Artifact::none})
+    EXPECT_TRUE(light_of_one_geometry(recipe(artifact, Isolation::query).answers)) << word(artifact);
+  for (const Artifact artifact :
+       {Artifact::receiver, Artifact::shadow, Artifact::overlap, Artifact::bounce}) {
+    EXPECT_FALSE(light_of_one_geometry(recipe(artifact, Isolation::query).answers)) << word(artifact);
+    EXPECT_EQ(light_of_one_geometry(recipe(artifact, Isolation::mask).answers), artifact != Artifact::bounce)
+        << word(artifact);
+  }
+}
+
 }  // namespace
 }  // namespace seamline::renderer

@@ -71,6 +71,24 @@ TEST_P(EveryScene, FastAgreesWithPathWithinBothErrors) {
     }
 }
 
+/// The paper's isolation: no stimulus takes sky and bounce light of different geometries.
+TEST_P(EveryScene, AFilteredSkyAgreesWithPathWithinBothErrors) {
+  const Subject& large = subject_of_scene(GetParam(), test::picture_width_px);
+  const EstimateOptions options{.spp = 16, .seed = 1, .threads = 2, .light_of_one_geometry = true};
+  const auto fast = large.estimator(Estimator::fast, options);
+  EXPECT_EQ(fast->choices().filters_sky, !large.scene.definition.ambient_occlusion);
+  const auto path = large.estimator(Estimator::path, {.spp = 16, .seed = 7, .threads = 2});
+  for (const Artifact artifact : {Artifact::receiver, Artifact::shadow, Artifact::overlap, Artifact::none}) {
+    const Recipe how = recipe(artifact, Isolation::mask);
+    const EstimatedStimulus a = fast->stimulus(how, &large.depth, {});
+    const EstimatedStimulus b = path->stimulus(how, &large.depth, {});
+    const double difference =
+        display_rmse(compose(a.sums).picture, compose(b.sums).picture, large.exposure_ev());
+    EXPECT_LT(difference, 1.15 * std::hypot(*a.rmse, *b.rmse)) << word(artifact);
+    EXPECT_LT(*a.rmse, 1.1 * *b.rmse) << word(artifact);  // 1.06 in the gazebo, whose bias is in it
+  }
+}
+
 TEST_P(EveryScene, NothingAskedOfTheDepthMeshIsTheReference) {
   const auto fast = subject.estimator(Estimator::fast, {.spp = 8, .seed = 1, .threads = 2});
   const Image none =

@@ -184,6 +184,7 @@ class FastEstimator : public SceneEstimator {
     ScenePassOptions options{.seed = seed_,
                              .threads = threads_,
                              .tail_every = choices_.tail_every,
+                             .filters_sky = choices_.filters_sky,
                              .who_is_in_front = choices_.keeps_who_is_in_front,
                              .seen = seen_.get(),
                              .progress = {}};

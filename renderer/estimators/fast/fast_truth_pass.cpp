@@ -114,7 +114,7 @@ class TileSampler {
     const int object = front == nullptr ? 0 : front->object_index;
     const Followed seen{LightOf::front, object, sums_.index(x, y), place, half, x, y, object};
     const Sampler sampler(options_.seed, x, y, sample);
-    const PathRules rules = path_rules(sampler, options_.tail_every);
+    const PathRules rules = path_rules(sampler, options_.tail_every, options_.filters_sky);
     if (front != nullptr) {
       const WorldSet set = geometry_.worlds.all() & ~(object == 0 ? 0 : only_world(object));
       follow(seen, {set, *front, sampler, rules});

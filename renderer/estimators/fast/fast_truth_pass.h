@@ -15,6 +15,7 @@ struct ScenePassOptions {
   std::uint64_t seed = 1;
   int threads = 1;
   int tail_every = 4;
+  bool filters_sky = false;      ///< a constant sky joins the light that may be filtered
   bool who_is_in_front = false;  ///< also keep what an occlusion asked of the depth mesh needs
   /// Decides whether the room hides an object, in place of distance; null: nobody does.
   const OcclusionTest* occlusion = nullptr;
