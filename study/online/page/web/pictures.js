@@ -57,7 +57,7 @@ export function makePictures(known, plays, { away, progress, failed }) {
     }
     const mapFile = facts.get(file).map;
     if (!maps.has(mapFile)) {
-      const packed = await patiently((cache) => fetchJson(mapFile, { cache, isIt: (json) => json?.frames }));
+      const packed = await patiently((cache) => fetchJson(mapFile, { cache, isIt: (json) => (plays ? json?.[0] : json)?.frames }));
       maps.set(mapFile, plays ? packed : unpackMap(packed));
     }
     progress(bytes.size, facts.size);
