@@ -10,7 +10,7 @@
 #include "commands/manual/manual_page.h"
 #include "commands/manual/reference_page.h"
 #include "commands/program.h"
-#include "stimuli/settings/settings_page.h"
+#include "stimuli/settings/whole/settings_page.h"
 #include "support/files/assets.h"
 #include "support/files/atomic_file.h"
 

@@ -12,6 +12,20 @@ std::size_t read_word(const TomlTable& table, std::string_view key, std::span<co
       fmt::format("\"{}\"{}", text, nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?"));
 }
 
+std::array<double, 2> read_two(const TomlTable& table, const std::string& key, NumberRange range,
+                               std::string_view form) {
+  const std::vector<double> two = table.numbers(key, range);
+  if (two.size() != 2) throw table.complaint(key, std::string(form), fmt::format("{} numbers", two.size()));
+  return {two[0], two[1]};
+}
+
+std::array<int, 2> read_two_whole(const TomlTable& table, const std::string& key, NumberRange range,
+                                  std::string_view form) {
+  const std::vector<int> two = table.integers(key, range);
+  if (two.size() != 2) throw table.complaint(key, std::string(form), fmt::format("{} numbers", two.size()));
+  return {two[0], two[1]};
+}
+
 InputError level_complaint(const TomlTable& table, std::string_view key, Quantity level) {
   return table.complaint(std::string(key), fmt::format("nothing, because {} is the level", facts(level).key),
                          "a setting of its own");

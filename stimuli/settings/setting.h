@@ -9,6 +9,7 @@
 #include <string_view>
 #include <type_traits>
 #include <variant>
+#include <vector>
 
 #include "stimuli/definition/quantity.h"
 #include "support/text/number_range.h"
@@ -62,10 +63,13 @@ struct Described {
 };
 
 template <class Owner>
-using Slot = std::variant<double Owner::*, std::optional<double> Owner::*, int Owner::*,
-                          std::uint64_t Owner::*, bool Owner::*, std::string Owner::*,
-                          std::array<double, 3> Owner::*, std::optional<std::array<double, 3>> Owner::*,
-                          Eigen::Vector3d Owner::*, Choice<Owner>, Part<Owner>, Described>;
+using Slot =
+    std::variant<double Owner::*, std::optional<double> Owner::*, int Owner::*, std::uint64_t Owner::*,
+                 bool Owner::*, std::string Owner::*, std::array<int, 2> Owner::*,
+                 std::array<double, 2> Owner::*, std::optional<std::array<double, 2>> Owner::*,
+                 std::array<double, 3> Owner::*, std::optional<std::array<double, 3>> Owner::*,
+                 Eigen::Vector3d Owner::*, std::vector<double> Owner::*, std::vector<std::string> Owner::*,
+                 Choice<Owner>, Part<Owner>, Described>;
 
 /// Up to four words. (An array would do, but for GCC 12, which cannot build part of one in a constant.)
 struct OneOf {
@@ -87,11 +91,12 @@ struct Beside {
 
 enum class Written { never, always, where_unusual, where_used };
 
-/// How a setting stands in the canonical text.
+/// How a setting stands in the canonical text. Of a list, each value stands between `before` and `after`.
 struct Wording {
   std::string_view before = {}, after = {};
   Written written = Written::always;
   std::string_view yes = "true", no = "false";  ///< of booleans
+  std::string_view between = " ";               ///< of two numbers
 };
 
 /// One setting: a row. `key` is empty where only presets or other settings decide.
@@ -109,7 +114,7 @@ struct Setting {
   bool is_read_apart = false;                    ///< its reader is code of its own
   std::string (*fault)(const Owner&) = nullptr;  ///< what is wanted in place of such a value; empty: fine
   std::string_view required = {};                ///< what is missing without it; empty: may be left out
-  std::string_view form = {};                    ///< of its values, beside the range, for the page: "even"
+  std::string_view form = {};   ///< of its values, beside the range, for the page: "even"; two numbers: which
   std::string_view usual = {};  ///< the default for the page, where it is no value: "the preset's"
 };
 

@@ -59,6 +59,16 @@ template <auto member, bool keeps = false>
   return made;
 }
 
+/// The choice that a member with two values holds, and the word of each: `{"loop", "once"}`.
+template <auto member, auto first, auto second>
+[[nodiscard]] constexpr auto either(std::span<const std::string_view> words) {
+  using Owner = typename settings::MemberOf<member>::Owner;
+  return Choice<Owner>{
+      .words = words,
+      .place = [](const Owner& owner) { return owner.*member == first ? std::size_t{0} : std::size_t{1}; },
+      .choose = [](Owner& owner, std::size_t place) { owner.*member = place == 0 ? first : second; }};
+}
+
 /// The settings of a member that is a struct.
 template <auto member>
 [[nodiscard]] constexpr auto part() {
@@ -83,28 +93,50 @@ template <class Three>
   return fmt::format("[{},{},{}]", three[0], three[1], three[2]);
 }
 
+template <class Value>
+[[nodiscard]] std::string list_text(const std::vector<Value>& values, std::string_view before,
+                                    std::string_view after) {
+  std::string text;
+  for (const Value& value : values) text += fmt::format("{}{}{}", before, value, after);
+  return text;
+}
+
 /// A value alone: a word, a number, "[1,2,3]".
 template <class Owner>
 [[nodiscard]] std::string value_text(const Setting<Owner>& row, const Owner& owner) {
+  const Wording& wording = row.wording;
+  const auto two_text = [&](const auto& two) {
+    return fmt::format("{}{}{}", two[0], wording.between, two[1]);
+  };
   return std::visit(
-      Overloaded{
-          [&](std::optional<double> Owner::*member) {
-            return fmt::format("{}", (owner.*member).value_or(0));
-          },
-          [&](bool Owner::*member) { return std::string(owner.*member ? row.wording.yes : row.wording.no); },
-          [&](std::array<double, 3> Owner::*member) { return three_text(owner.*member); },
-          [&](Eigen::Vector3d Owner::*member) { return three_text(owner.*member); },
-          [&](std::optional<std::array<double, 3>> Owner::*member) {
-            return owner.*member ? three_text(*(owner.*member)) : std::string();
-          },
-          [&](const Choice<Owner>& choice) {
-            std::string text(choice.words[choice.place(owner)]);
-            if (choice.parameters != nullptr) text += choice.parameters(owner);
-            return text;
-          },
-          [&](const Part<Owner>& part) { return part.text(owner); },
-          [](const Described&) { return std::string(); },
-          [&](auto Owner::*member) { return fmt::format("{}", owner.*member); }},
+      Overloaded{[&](std::array<int, 2> Owner::*member) { return two_text(owner.*member); },
+                 [&](std::array<double, 2> Owner::*member) { return two_text(owner.*member); },
+                 [&](std::optional<std::array<double, 2>> Owner::*member) {
+                   return owner.*member ? two_text(*(owner.*member)) : std::string();
+                 },
+                 [&](std::vector<double> Owner::*member) {
+                   return list_text(owner.*member, wording.before, wording.after);
+                 },
+                 [&](std::vector<std::string> Owner::*member) {
+                   return list_text(owner.*member, wording.before, wording.after);
+                 },
+                 [&](std::optional<double> Owner::*member) {
+                   return fmt::format("{}", (owner.*member).value_or(0));
+                 },
+                 [&](bool Owner::*member) { return std::string(owner.*member ? wording.yes : wording.no); },
+                 [&](std::array<double, 3> Owner::*member) { return three_text(owner.*member); },
+                 [&](Eigen::Vector3d Owner::*member) { return three_text(owner.*member); },
+                 [&](std::optional<std::array<double, 3>> Owner::*member) {
+                   return owner.*member ? three_text(*(owner.*member)) : std::string();
+                 },
+                 [&](const Choice<Owner>& choice) {
+                   std::string text(choice.words[choice.place(owner)]);
+                   if (choice.parameters != nullptr) text += choice.parameters(owner);
+                   return text;
+                 },
+                 [&](const Part<Owner>& part) { return part.text(owner); },
+                 [](const Described&) { return std::string(); },
+                 [&](auto Owner::*member) { return fmt::format("{}", owner.*member); }},
       row.slot);
 }
 
@@ -170,6 +202,12 @@ void drop_idle(Owner& owner) {
   }
 }
 
+template <class Owner>
+[[nodiscard]] bool is_list(const Setting<Owner>& row) {
+  return std::holds_alternative<std::vector<double> Owner::*>(row.slot) ||
+         std::holds_alternative<std::vector<std::string> Owner::*>(row.slot);
+}
+
 /// The canonical text: every row in its wording, one after another. A comma has nothing before it where the
 /// text begins.
 template <class Owner>
@@ -182,9 +220,8 @@ std::string settings_text(const Owner& owner) {
     if (wording.written == Written::where_unusual && (is_usual(row, owner) || !is_used(row, owner))) continue;
     std::string_view before = wording.before;
     if (text.empty() && before.starts_with(", ")) before.remove_prefix(2);
-    text += before;
-    text += value_text(row, owner);
-    text += wording.after;
+    const std::string value = value_text(row, owner);
+    text += is_list(row) ? value : fmt::format("{}{}{}", before, value, wording.after);
   }
   return text;
 }

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "stimuli/definition/parts/task_definition.h"
+#include "stimuli/settings/people/observer_settings.h"
 #include "stimuli/settings/read_settings.h"
 #include "stimuli/settings/study_settings.h"
 #include "stimuli/study_file/carried_files.h"
@@ -24,7 +25,6 @@
 #include "stimuli/study_file/study_file_scene.h"
 #include "stimuli/study_file/study_file_session.h"
 #include "stimuli/study_file/study_file_view.h"
-#include "stimuli/study_file/study_file_words.h"
 #include "support/files/assets.h"
 #include "support/text/error.h"
 #include "support/text/limits.h"
@@ -44,10 +44,10 @@ void check_format(const TomlTable& table) {
 void read_midpoints(const TomlTable& table, std::map<Artifact, double>& midpoint,
                     const LevelDefinition& level) {
   const QuantityFacts& about = facts(level.quantity);
-  const Range range{level.quantity == Quantity::depth_width_px ? 1e-3
-                    : level.axis() == Axis::log2               ? 1e-12
-                                                               : -1e9,
-                    1e9, about.unit};
+  const NumberRange range{level.quantity == Quantity::depth_width_px ? 1e-3
+                          : level.axis() == Axis::log2               ? 1e-12
+                                                                     : -1e9,
+                          1e9, about.unit};
   for (const Artifact artifact : every_artifact) {
     const std::string key(word(artifact));
     if (table.has(key)) midpoint[artifact] = table.number(key, 0, range);
@@ -102,13 +102,8 @@ ObserverDefinition read_observer(const TomlTable& table, const LevelDefinition& 
                                  const std::vector<ConditionDefinition>& conditions) {
   ObserverDefinition observer;
   observer.midpoint = usual_midpoints(level);
-  observer.scale_octaves = table.number("scale_octaves", observer.scale_octaves, {1e-6, 100, "octaves"});
-  observer.direction = read_direction(table, level.noticeability);
-  if (table.has("image_gain")) observer.image_gain = table.number("image_gain", 1, {1e-9, 1e9});
-  observer.pixels_per_degree =
-      table.number("pixels_per_degree", observer.pixels_per_degree, {1, 1000, "pixels per degree"});
-  observer.people_sd_octaves =
-      table.number("people_sd_octaves", observer.people_sd_octaves, {0, 100, "octaves"});
+  observer.direction = level.noticeability;
+  read_settings(table, observer);
   if (level.axis() == Axis::linear) read_linear_scales(table, level, observer);
   const bool widths = level.quantity == Quantity::depth_width_px;
   if (const auto midpoints = table.table(widths ? "midpoint_width_px" : "midpoint"))

@@ -2,8 +2,8 @@
 #include <optional>
 
 #include "stimuli/definition/study_definition.h"
-#include "stimuli/study_file/study_file_words.h"
 #include "support/files/assets.h"
+#include "support/files/toml_table.h"
 
 namespace seamline::inline stimuli {
 

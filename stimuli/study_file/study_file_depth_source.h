@@ -3,7 +3,7 @@
 
 #include "stimuli/definition/depth_chain.h"
 #include "stimuli/definition/quantity.h"
-#include "stimuli/study_file/study_file_words.h"
+#include "support/files/toml_table.h"
 
 namespace seamline::inline stimuli {
 

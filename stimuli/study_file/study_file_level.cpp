@@ -9,6 +9,7 @@
 
 #include "stimuli/definition/moving/clip_definition.h"
 #include "stimuli/definition/parts/condition_tasks.h"
+#include "stimuli/settings/people/observer_settings.h"
 #include "stimuli/settings/read_settings.h"
 #include "stimuli/settings/scene_settings.h"
 #include "stimuli/settings/study_settings.h"
@@ -19,21 +20,17 @@
 #include "stimuli/study_file/study_file_mitigation.h"
 #include "stimuli/study_file/study_file_pipeline.h"
 #include "stimuli/study_file/study_file_view.h"
-#include "stimuli/study_file/study_file_words.h"
 
 namespace seamline::inline stimuli {
 namespace {
 
-constexpr Range width_range{2, 16384, "px"};
+constexpr NumberRange width_range{2, 16384, "px"};
 constexpr std::size_t most_levels = 10000, most_conditions = 100;
 
 Quantity read_quantity(const TomlTable& table) {
-  const std::string text = table.text("quantity");
-  if (const auto quantity = quantity_from_key(text)) return *quantity;
-  std::string wanted;
-  for (const Quantity quantity : every_quantity)
-    wanted += fmt::format("{}\"{}\"", wanted.empty() ? "" : " or ", facts(quantity).key);
-  throw table.complaint("quantity", wanted, "\"" + text + "\"");
+  std::vector<std::string_view> keys;
+  for (const Quantity quantity : every_quantity) keys.push_back(facts(quantity).key);
+  return *quantity_from_key(keys[read_word(table, "quantity", keys)]);
 }
 
 /// The depth maps of such a study have whole, even widths.
@@ -239,7 +236,8 @@ LevelDefinition read_level(const TomlTable& study) {
   const QuantityFacts& about = facts(level.quantity);
   level.values = sorted_levels(*table, "values", level.quantity,
                                table->numbers("values", {about.least, about.most, about.unit}));
-  level.noticeability = read_direction(*table, about.noticeability);
+  level.noticeability = about.noticeability;
+  read_settings(*table, level);
   table->finish();
   refuse_level_keys(study, level);
   return level;

@@ -1,8 +1,8 @@
 #pragma once
 #include "stimuli/definition/study_definition.h"
 #include "stimuli/study_file/study_file.h"
-#include "stimuli/study_file/study_file_words.h"
 #include "support/files/assets.h"
+#include "support/files/toml_table.h"
 
 namespace seamline::inline stimuli {
 

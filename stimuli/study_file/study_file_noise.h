@@ -2,7 +2,7 @@
 #include <optional>
 
 #include "stimuli/definition/depth_chain.h"
-#include "stimuli/study_file/study_file_words.h"
+#include "support/files/toml_table.h"
 
 namespace seamline::inline stimuli {
 

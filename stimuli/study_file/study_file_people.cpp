@@ -1,12 +1,13 @@
 #include "stimuli/study_file/study_file_people.h"
 
+#include <array>
 #include <set>
 
+#include "stimuli/settings/people/recruitment_settings.h"
+#include "stimuli/settings/people/session_settings.h"
 #include "stimuli/settings/read_settings.h"
-#include "stimuli/settings/session_settings.h"
 #include "stimuli/study_file/people/study_file_language.h"
 #include "stimuli/study_file/people/study_file_recruitment.h"
-#include "stimuli/study_file/study_file_words.h"
 
 namespace seamline::inline stimuli {
 namespace {
@@ -18,13 +19,9 @@ ConsentDefinition read_consent(const TomlTable& table) {
   return consent;
 }
 
-enum class FieldKind { number, choice };
-
 NumberField read_number_field(const TomlTable& table) {
   NumberField number;
-  number.least = table.number("least", number.least, {-1e9, 1e9});
-  number.most = table.number("most", number.most, {-1e9, 1e9});
-  number.whole = table.boolean("whole", number.whole);
+  read_settings(table, number);
   if (number.least > number.most)
     throw table.complaint("most", fmt::format("at least {}", number.least), fmt::format("{}", number.most));
   return number;
@@ -46,16 +43,12 @@ FormField read_form_field(const TomlTable& table) {
     throw table.complaint("name", "lower-case letters, digits and _", "\"" + field.name + "\"");
   field.label = table.text("label");
   field.required = table.boolean("required", true);
-  if (!table.has("kind")) throw table.complaint("kind", "\"number\" or \"choice\"", "nothing");
-  switch (one_of<FieldKind>(table, "kind", FieldKind::number,
-                            {{"number", FieldKind::number}, {"choice", FieldKind::choice}})) {
-    case FieldKind::number:
-      field.kind = read_number_field(table);
-      break;
-    case FieldKind::choice:
-      field.kind = read_choice_field(table);
-      break;
-  }
+  constexpr std::array<std::string_view, 2> kinds = {"number", "choice"};
+  if (!table.has("kind")) throw table.complaint("kind", words_text(kinds), "nothing");
+  if (read_word(table, "kind", kinds) == 0)
+    field.kind = read_number_field(table);
+  else
+    field.kind = read_choice_field(table);
   table.finish();
   return field;
 }

@@ -1,6 +1,6 @@
 #pragma once
 #include "stimuli/definition/study_definition.h"
-#include "stimuli/study_file/study_file_words.h"
+#include "support/files/toml_table.h"
 
 namespace seamline::inline stimuli {
 

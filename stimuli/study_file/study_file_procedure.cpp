@@ -3,10 +3,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 
+#include "stimuli/settings/people/procedure_settings.h"
+#include "stimuli/settings/read_settings.h"
 #include "stimuli/study_file/study_file_range.h"
-#include "stimuli/study_file/study_file_words.h"
 
 namespace seamline::inline stimuli {
 namespace {
@@ -26,8 +28,8 @@ struct AxisWords {
   [[nodiscard]] std::string key(const std::string& name) const {
     return linear ? in_unit(name) : name + "_octaves";
   }
-  [[nodiscard]] Range bounds() const {
-    return linear ? Range{1e-9, 1e9, level.unit} : Range{1e-3, 100, "octaves"};
+  [[nodiscard]] NumberRange bounds() const {
+    return linear ? NumberRange{1e-9, 1e9, level.unit} : NumberRange{1e-3, 100, "octaves"};
   }
 };
 
@@ -51,9 +53,6 @@ void check_sizes(const TomlTable& table, const QuestPlusDefinition& quest) {
   if (quest.lapse.most + quest.guess.most >= 1)
     throw table.complaint("lapse", "lapse and guess that leave room for seeing (less than 1 together)",
                           fmt::format("{}", quest.lapse.most + quest.guess.most));
-  if (quest.min_trials > quest.max_trials)
-    throw table.complaint("min_trials", fmt::format("at most max_trials ({})", quest.max_trials),
-                          fmt::format("{}", quest.min_trials));
 }
 
 void read_ratings(const TomlTable& table, const AxisWords& axis, QuestPlusDefinition& quest) {
@@ -75,17 +74,10 @@ void set_joint_grid(QuestPlusDefinition& quest) {
 }
 
 void read_stops(const TomlTable& table, const AxisWords& axis, QuestPlusDefinition& quest) {
-  if (!table.has("max_shows_per_image"))
-    throw table.complaint("max_shows_per_image", "how often a participant may see the same image", "nothing");
-  quest.max_shows_per_image = table.integer("max_shows_per_image", 1, {1, 100000, "shows"});
-  quest.max_trials = table.integer("max_trials", quest.max_trials, {1, 100000, "trials"});
-  quest.min_trials =
-      table.integer("min_trials", std::min(quest.min_trials, quest.max_trials), {1, 100000, "trials"});
+  quest.min_trials = std::min(quest.min_trials, quest.max_trials);
+  read_setting(table, "min_trials", quest);
   const std::string interval = length_key(table, "stop_interval", axis);
   if (table.has(interval)) quest.stop_interval = table.number(interval, 0, axis.bounds());
-  if (table.has("stop_entropy_nats"))
-    quest.stop_entropy_nats = table.number("stop_entropy_nats", 0, {0, 100, "nats"});
-  quest.edge_share = table.number("edge_share", quest.edge_share, {1e-6, 1});
 }
 
 /// On the linear axis, what the usual octaves are to the seven widths of the paper, which span six.
@@ -108,10 +100,10 @@ void read_grid(const TomlTable& table, const LevelDefinition& level, QuestPlusDe
   const bool from_zero = level.values.front() <= 0;
   const ParameterRange around{from_zero ? level.values.front() - span / 6 : level.values.front() / 2.0,
                               from_zero ? level.values.back() + span / 6 : level.values.back() * 2.0, 41};
-  const Range thresholds{linear && from_zero                          ? -1e9
-                         : level.quantity == Quantity::depth_width_px ? 1e-3
-                                                                      : 1e-12,
-                         1e9, axis.level.unit};
+  const NumberRange thresholds{linear && from_zero                          ? -1e9
+                               : level.quantity == Quantity::depth_width_px ? 1e-3
+                                                                            : 1e-12,
+                               1e9, axis.level.unit};
   quest.threshold = read_range(table, axis.in_unit("threshold").c_str(), around,
                                {thresholds, linear ? Steps::equal : Steps::ratios});
   quest.scale = read_range(table, length_key(table, "scale", axis).c_str(), quest.scale,
@@ -124,19 +116,11 @@ void read_grid(const TomlTable& table, const LevelDefinition& level, QuestPlusDe
 
 QuestPlusDefinition read_quest_plus(const TomlTable& table, const LevelDefinition& level) {
   QuestPlusDefinition quest;
-  quest.outcome = one_of<PlacementOutcome>(table, "outcome", quest.outcome,
-                                           {{"correct", PlacementOutcome::correct},
-                                            {"noticeability", PlacementOutcome::noticeability},
-                                            {"joint", PlacementOutcome::joint}});
+  quest.axis = level.axis();
+  quest.direction = level.noticeability;
+  read_setting(table, "outcome", quest);
   if (quest.outcome == PlacementOutcome::joint) set_joint_grid(quest);
-  quest.track =
-      one_of<PlacementTrack>(table, "track", quest.track,
-                             {{"artifact", PlacementTrack::artifact}, {"object", PlacementTrack::object}});
-  Words<Sigmoid> sigmoids;
-  for (const Sigmoid sigmoid : every_sigmoid) sigmoids.emplace_back(word(sigmoid), sigmoid);
-  quest.sigmoid = one_of<Sigmoid>(table, "sigmoid", quest.sigmoid, sigmoids);
-  quest.axis = one_of<Axis>(table, "axis", level.axis(), {{"log2", Axis::log2}, {"linear", Axis::linear}});
-  quest.direction = read_direction(table, level.noticeability);
+  read_settings(table, quest);
   read_grid(table, level, quest);
   table.finish();
   check_sizes(table, quest);
@@ -146,16 +130,14 @@ QuestPlusDefinition read_quest_plus(const TomlTable& table, const LevelDefinitio
 }  // namespace
 
 ProcedureDefinition read_procedure(const TomlTable& study, const LevelDefinition& level) {
-  enum class Placement { constant, quest_plus, staircase };  // [staircase] is read with the task
-  const Placement placement = one_of<Placement>(study, "procedure", Placement::constant,
-                                                {{"constant", Placement::constant},
-                                                 {"quest_plus", Placement::quest_plus},
-                                                 {"staircase", Placement::staircase}});
-  const bool adaptive = placement == Placement::quest_plus;
+  constexpr std::array<std::string_view, 3> words = {"constant", "quest_plus", "staircase"};
+  const std::string_view placement =
+      study.has("procedure") ? words.at(read_word(study, "procedure", words)) : words[0];
+  const bool adaptive = placement == "quest_plus";  // [staircase] is read with the task
   const std::optional<TomlTable> settings = study.table("quest_plus");
   if (settings && !adaptive)
     throw study.complaint("procedure", "\"quest_plus\" where there is a table [quest_plus]",
-                          placement == Placement::staircase ? "\"staircase\"" : "\"constant\"");
+                          "\"" + std::string(placement) + "\"");
   if (!adaptive) return ConstantDefinition{};
   if (!settings)
     throw study.complaint("quest_plus", "a table [quest_plus] with at least max_shows_per_image", "nothing");

@@ -3,17 +3,19 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
-#include "stimuli/study_file/study_file_words.h"
+#include "stimuli/settings/read_settings.h"
 
 namespace seamline::inline stimuli {
 namespace {
 
 constexpr int most_values = 1001;  // of one parameter
-constexpr Range weight_bounds = {0, 1e12};
+constexpr NumberRange weight_bounds = {0, 1e12};
 
-void read_ends(const TomlTable& table, ParameterRange& range, const ParameterRange& fallback, Range bounds) {
+void read_ends(const TomlTable& table, ParameterRange& range, const ParameterRange& fallback,
+               NumberRange bounds) {
   range.least = table.number("least", fallback.least, bounds);
   range.most = table.number("most", fallback.most, bounds);
   range.count = table.integer("count", fallback.count, {1, most_values, "values"});
@@ -25,7 +27,7 @@ void read_ends(const TomlTable& table, ParameterRange& range, const ParameterRan
                           fmt::format("{}", range.most));
 }
 
-void read_values(const TomlTable& table, ParameterRange& range, Range bounds) {
+void read_values(const TomlTable& table, ParameterRange& range, NumberRange bounds) {
   for (const char* key : {"least", "most", "count"})
     if (table.has(key)) throw table.complaint(key, "either values, or least, most and count", "both");
   range.values = table.numbers("values", bounds);
@@ -41,16 +43,18 @@ void read_values(const TomlTable& table, ParameterRange& range, Range bounds) {
 }
 
 void read_steps(const TomlTable& table, ParameterRange& range, Steps usual) {
-  const Steps steps =
-      one_of<Steps>(table, "steps", usual, {{"equal", Steps::equal}, {"ratios", Steps::ratios}});
+  constexpr std::array<std::string_view, 2> words = {"equal", "ratios"};
+  const Steps steps = !table.has("steps")                     ? usual
+                      : read_word(table, "steps", words) == 0 ? Steps::equal
+                                                              : Steps::ratios;
   if (steps == Steps::ratios && range.least <= 0)
     throw table.complaint("steps", "\"equal\" where a value is 0 or less", "\"ratios\"");
   if (steps != usual) range.steps = steps;
 }
 
 /// `first` and `second` of a prior, neither without the other.
-std::pair<double, double> both(const TomlTable& prior, const char* first, Range of_first, const char* second,
-                               Range of_second) {
+std::pair<double, double> both(const TomlTable& prior, const char* first, NumberRange of_first,
+                               const char* second, NumberRange of_second) {
   for (const auto& [key, other] : {std::pair(first, second), std::pair(second, first)})
     if (!prior.has(key)) throw prior.complaint(key, fmt::format("a number beside {}", other), "nothing");
   return {prior.number(first, 0, of_first), prior.number(second, 0, of_second)};

@@ -1,12 +1,12 @@
 #pragma once
 #include "stimuli/definition/methods/parameter_range.h"
-#include "stimuli/study_file/study_file_words.h"
+#include "support/files/toml_table.h"
 
 namespace seamline::inline stimuli {
 
 /// What a study file may say of one parameter.
 struct ParameterRule {
-  Range bounds;  ///< of every value
+  NumberRange bounds;  ///< of every value
   Steps usual = Steps::ratios;
   bool is_rate = false;  ///< a share from 0 to 1, which may have a beta prior
 };

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 
+#include "stimuli/settings/people/session_settings.h"
 #include "stimuli/settings/read_settings.h"
-#include "stimuli/settings/session_settings.h"
 #include "stimuli/study_file/moving/study_file_late_frames.h"
 #include "stimuli/study_file/people/study_file_language.h"
-#include "stimuli/study_file/study_file_words.h"
 
 namespace seamline::inline stimuli {
 namespace {
@@ -38,7 +37,7 @@ CatchDefinition read_catches(const TomlTable& table) {
 
 AnalysisDefinition read_analysis(const TomlTable& analysis) {
   AnalysisDefinition read;
-  read.joint = one_of<bool>(analysis, "model", true, {{"joint", true}, {"paper", false}});
+  read_settings(analysis, read);
   if (analysis.has("share")) {
     if (!read.joint)
       throw analysis.complaint("share", "model = \"joint\" beside it (straight lines share nothing)",
@@ -56,7 +55,6 @@ AnalysisDefinition read_analysis(const TomlTable& analysis) {
       read.*block->shared = true;
     }
   }
-  if (analysis.has("compare")) read.compare = analysis.texts("compare");
   static_cast<void>(read_late_frames(analysis));
   analysis.finish();
   return read;

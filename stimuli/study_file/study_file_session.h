@@ -2,7 +2,7 @@
 #include "stimuli/definition/instructions_definition.h"
 #include "stimuli/definition/methods/analysis_definition.h"
 #include "stimuli/definition/session_definition.h"
-#include "stimuli/study_file/study_file_words.h"
+#include "support/files/toml_table.h"
 
 namespace seamline::inline stimuli {
 

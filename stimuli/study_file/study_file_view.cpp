@@ -7,7 +7,6 @@
 
 #include "stimuli/settings/read_settings.h"
 #include "stimuli/settings/view_settings.h"
-#include "stimuli/study_file/study_file_words.h"
 #include "support/text/limits.h"
 
 namespace seamline::inline stimuli {
@@ -16,8 +15,6 @@ namespace {
 constexpr std::array view_keys = {
     "separation_m", "zero_parallax_m",  "views",  "preset",      "pitch_subpixels",
     "slant_deg",    "offset_subpixels", "matrix", "max_depth_m", "panel_px"};
-
-enum class SheetPreset { none, five_views };
 
 std::array<int, 2> read_panel(const TomlTable& table, const std::array<int, 2>& usual) {
   if (!table.has("panel_px")) return usual;
@@ -109,8 +106,9 @@ View read_view(const TomlTable& settings, const View& usual, bool is_condition) 
       if (table->has(key) && !uses(out.kind, key))
         throw table->complaint(key, "kind = " + kinds_that_use(key) + " beside it",
                                fmt::format("kind = \"{}\"", word(out.kind)));
-  if (one_of<SheetPreset>(*table, "preset", SheetPreset::none, {{"five_views", SheetPreset::five_views}}) ==
-      SheetPreset::five_views) {
+  if (table->has("preset")) {
+    constexpr std::array<std::string_view, 1> presets = {"five_views"};
+    static_cast<void>(read_word(*table, "preset", presets));
     out.views = 5;
     out.sheet = five_views_sheet;
   }

@@ -13,7 +13,7 @@
 #include "stimuli/definition/artifact.h"
 #include "stimuli/definition/interface_texts.h"
 #include "stimuli/definition/quantity.h"
-#include "stimuli/settings/settings_page.h"
+#include "stimuli/settings/whole/settings_page.h"
 #include "tests/complaint.h"
 
 namespace seamline {

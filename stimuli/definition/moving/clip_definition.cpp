@@ -1,7 +1,5 @@
 #include "stimuli/definition/moving/clip_definition.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -13,10 +11,6 @@ namespace {
 
 /// A moment that is meant to be a capture's own may have been rounded to just before it.
 constexpr double same_capture = 1e-9;
-
-std::string point_text(const Eigen::Vector3d& v) {
-  return fmt::format("[{},{},{}]", v.x(), v.y(), v.z());
-}
 
 template <class Key>
 double share_between(const Key& from, const Key& to, double time_s) {
@@ -53,34 +47,7 @@ ObjectPose on_keys(const KeyedMotion& path, double time_s) {
   return pose_between(*std::prev(after), *after, time_s);
 }
 
-std::string motion_text(const ObjectMotion& motion) {
-  return std::visit(
-      Overloaded{[](const LineMotion& line) {
-                   return fmt::format("line to {} at {}{}", point_text(line.to_m), line.speed_m_s,
-                                      line.comes_back ? "" : " and stops");
-                 },
-                 [](const TurnMotion& turn) { return fmt::format("turn {}", turn.speed_deg_s); },
-                 [](const KeyedMotion& path) {
-                   std::string text = "keys";
-                   for (const MotionKey& key : path.keys)
-                     text += fmt::format(" {} {} {}", key.time_s, point_text(key.pose.position_m),
-                                         point_text(key.pose.rotation_deg));
-                   return text;
-                 }},
-      motion);
-}
-
 }  // namespace
-
-std::string_view word(ClipQuestion question) {
-  switch (question) {
-    case ClipQuestion::during:
-      return "during";
-    case ClipQuestion::after:
-      return "after";
-  }
-  return {};
-}
 
 ObjectPose pose_at(const ObjectMotion& motion, const ObjectPose& start, double time_s,
                    const std::optional<double>& speed_m_s) {
@@ -119,29 +86,6 @@ double capture_time_s(const DepthClock& clock, double time_s) {
   const double newest_s = time_s - clock.delay_ms / 1000;
   if (clock.frames_per_s == 0) return newest_s;
   return std::floor(newest_s * clock.frames_per_s + same_capture) / clock.frames_per_s;
-}
-
-std::string canonical_text(const ClipDefinition& clip) {
-  std::string text = fmt::format("clip {} frames {} per s {} question {}\n", clip.frames, clip.frames_per_s,
-                                 clip.loops ? "loop" : "once", word(clip.question));
-  for (const auto& [object, motion] : clip.motions)
-    text += fmt::format("path {} {} {}\n", object.first, object.second, motion_text(motion));
-  for (const auto& [object, animation] : clip.animations)
-    text += fmt::format("animation {} {} \"{}\" from {} to {}{} speed {}\n", object.first, object.second,
-                        animation.name, animation.from_s,
-                        animation.to_s ? fmt::format("{}", *animation.to_s) : std::string("its end"),
-                        animation.repeats ? " again and again" : "", animation.speed);
-  for (const auto& [scene, motion] : clip.cameras) {
-    text += fmt::format("camera of {}", scene);
-    for (const CameraKey& key : motion.keys)
-      text += fmt::format(" {} {} {}", key.time_s, point_text(key.position_m), point_text(key.look_at_m));
-    text += "\n";
-  }
-  for (const auto& [condition, clock] : clip.clocks)
-    if (clock != DepthClock{})
-      text +=
-          fmt::format("depth clock {} {} per s late {} ms\n", condition, clock.frames_per_s, clock.delay_ms);
-  return text;
 }
 
 }  // namespace seamline::inline stimuli

@@ -4,27 +4,7 @@
 
 #include <array>
 
-#include "stimuli/definition/parts/staircase_definition.h"
-
 namespace seamline::inline stimuli {
-
-std::string_view word(TaskKind kind) {
-  switch (kind) {
-    case TaskKind::object:
-      return "object";
-    case TaskKind::pair:
-      return "pair";
-    case TaskKind::interval:
-      return "interval";
-    case TaskKind::yes_no:
-      return "yes_no";
-    case TaskKind::rating:
-      return "rating";
-    case TaskKind::match:
-      return "match";
-  }
-  return {};
-}
 
 namespace {
 
@@ -203,20 +183,6 @@ TaskTexts usual_texts(const TaskDefinition& task) {
           .answers = {"Clearer", "Fainter", "Just seen"}};
   }
   return {};
-}
-
-std::string canonical_text(const TaskDefinition* task) {
-  if (task == nullptr) return {};
-  std::string out = fmt::format("task {} exposure {} second question {} repetitions {}\n", word(task->kind),
-                                task->exposure_s, task->second_question ? "yes" : "no", task->repetitions);
-  if (task->objects != usual_objects) out += fmt::format("task objects {}\n", task->objects);
-  if (task->kind == TaskKind::interval)
-    out += fmt::format("task pictures {} gap {}\n", task->pictures, task->gap_s);
-  if (task->same) out += "task same or different\n";
-  for (const std::string& label : task->labels) out += "task label " + label + "\n";
-  if (task->blocks) out += "task blocks condition\n";
-  if (task->staircase) out += canonical_text(*task->staircase);
-  return out;
 }
 
 }  // namespace seamline::inline stimuli

@@ -8,44 +8,23 @@
 #include "stimuli/definition/looks/study_look.h"
 #include "stimuli/definition/moving/file_moment.h"
 #include "stimuli/definition/stimulus.h"
+#include "stimuli/settings/clip_settings.h"
+#include "stimuli/settings/read_settings.h"
 #include "support/text/limits.h"
 
 namespace seamline::inline stimuli {
 namespace {
 
-constexpr double farthest_m = limits::farthest_place_m;
-constexpr double fastest_m_s = 100, fastest_deg_s = 3600, longest_s = 600;
 constexpr std::size_t most_keys = 1000;
-
-Eigen::Vector3d vector_of(const std::array<double, 3>& values) {
-  return {values[0], values[1], values[2]};
-}
-
-Eigen::Vector3d read_place(const TomlTable& key, const char* name) {
-  return vector_of(key.triple(name, {0, 0, 0}, {-farthest_m, farthest_m, "m"}));
-}
-
-/// Which of two words a key has; the first where it has none.
-bool is_second(const TomlTable& table, const char* key, const char* first, const char* second) {
-  const std::string word = table.text(key, first);
-  if (word != first && word != second)
-    throw table.complaint(key, fmt::format("\"{}\" or \"{}\"", first, second), "\"" + word + "\"");
-  return word == second;
-}
 
 LineMotion read_line(const TomlTable& path, const Eigen::Vector3d& position_m, Quantity level) {
   LineMotion line;
-  if (!path.has("to_m")) throw path.complaint("to_m", "where the line ends", "nothing");
-  line.to_m = read_place(path, "to_m");
+  refuse_level<LineMotion>(path, level);
+  read_settings(path, line);
   if ((line.to_m - position_m).norm() < 1e-6)
     throw path.complaint("to_m", "another place than the object's position_m", "the same");
-  line.comes_back = !is_second(path, "then", "back", "stop");
-  const bool is_level = level == Quantity::object_speed_m_s;
-  if (path.has("speed_m_s") && is_level)
-    throw path.complaint("speed_m_s", "nothing, because object_speed_m_s is the level", "a speed of its own");
-  if (!path.has("speed_m_s") && !is_level)
+  if (!path.has("speed_m_s") && level != Quantity::object_speed_m_s)
     throw path.complaint("speed_m_s", "a speed, because the level is another quantity", "nothing");
-  line.speed_m_s = path.number("speed_m_s", 0, {0, fastest_m_s, "m/s"});
   return line;
 }
 
@@ -55,7 +34,6 @@ std::vector<Key> read_keys(const TomlTable& path, const Read& read) {
   std::vector<Key> keys;
   for (const TomlTable& one : path.tables("keys")) {
     Key key;
-    key.time_s = one.number("time_s", 0, {-longest_s, longest_s, "s"});
     read(one, key);
     one.finish();
     if (!keys.empty() && key.time_s <= keys.back().time_s)
@@ -77,8 +55,8 @@ bool looks_straight_up(const CameraKey& key) {
 
 KeyedMotion read_keyed(const TomlTable& path) {
   return {read_keys<MotionKey>(path, [](const TomlTable& one, MotionKey& key) {
-    key.pose.position_m = read_place(one, "position_m");
-    key.pose.rotation_deg = vector_of(one.triple("rotation_deg", {0, 0, 0}, {-36000, 36000, "degrees"}));
+    read_settings(one, key);
+    read_settings(one, key.pose);
   })};
 }
 
@@ -171,11 +149,7 @@ void check_motions(const TomlTable& table, const StudyDefinition& study) {
 
 ClipDefinition read_clip(const TomlTable& table) {
   ClipDefinition clip;
-  clip.frames = table.integer("frames", clip.frames, {2, 999, "frames"});
-  clip.frames_per_s = table.number("frames_per_s", clip.frames_per_s, {1, 240, "frames per second"});
-  clip.loops = !is_second(table, "plays", "loop", "once");
-  clip.question =
-      is_second(table, "question", "during", "after") ? ClipQuestion::after : ClipQuestion::during;
+  read_settings(table, clip);
   table.finish();
   if (clip.question == ClipQuestion::after && clip.loops)
     throw table.complaint("question", "plays = \"once\" beside \"after\": a loop has no end",
@@ -184,17 +158,11 @@ ClipDefinition read_clip(const TomlTable& table) {
 }
 
 ObjectMotion read_motion(const TomlTable& path, const Eigen::Vector3d& position_m, Quantity level) {
-  const std::string kind = path.text("kind");
   ObjectMotion motion;
-  if (kind == "line")
-    motion = read_line(path, position_m, level);
-  else if (kind == "turn")
-    motion = TurnMotion{.speed_deg_s =
-                            path.number("speed_deg_s", 0, {-fastest_deg_s, fastest_deg_s, "degrees/s"})};
-  else if (kind == "keys")
-    motion = read_keyed(path);
-  else
-    throw path.complaint("kind", "\"line\" or \"turn\" or \"keys\"", "\"" + kind + "\"");
+  settings::set_place(motion, read_word(path, "kind", words_of<ObjectMotion>));
+  if (std::holds_alternative<LineMotion>(motion)) motion = read_line(path, position_m, level);
+  if (auto* turn = std::get_if<TurnMotion>(&motion)) read_settings(path, *turn);
+  if (std::holds_alternative<KeyedMotion>(motion)) motion = read_keyed(path);
   path.finish();
   return motion;
 }
@@ -204,11 +172,8 @@ FileAnimation read_animation(const TomlTable& animation, const std::string& file
   if (named.moment)
     throw animation.complaint("name", "a file without a moment beside `animation`, which says the moment",
                               "\"" + file + "\"");
-  FileAnimation out{.name = animation.text("name", "")};
-  out.from_s = animation.number("from_s", 0, {0, longest_s, "s"});
-  if (animation.has("to_s")) out.to_s = animation.number("to_s", 0, {0, longest_s, "s"});
-  out.speed = animation.number("speed", 1, {-100, 100});
-  out.repeats = animation.boolean("repeats", false);
+  FileAnimation out;
+  read_settings(animation, out);
   animation.finish();
   if (out.to_s && *out.to_s <= out.from_s)
     throw animation.complaint("to_s", fmt::format("a time after from_s, {} s", out.from_s),
@@ -222,8 +187,7 @@ CameraMotion read_camera_motion(const TomlTable& path) {
   if (const std::string kind = path.text("kind"); kind != "keys")
     throw path.complaint("kind", "\"keys\" for a camera", "\"" + kind + "\"");
   CameraMotion motion{read_keys<CameraKey>(path, [](const TomlTable& one, CameraKey& key) {
-    key.position_m = read_place(one, "position_m");
-    key.look_at_m = read_place(one, "look_at_m");
+    read_settings(one, key);
     if (looks_straight_up(key))
       throw one.complaint("look_at_m", "a point that is not straight above, below or at the camera",
                           "no such point");

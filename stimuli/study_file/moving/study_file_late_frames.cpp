@@ -1,6 +1,6 @@
 #include "stimuli/study_file/moving/study_file_late_frames.h"
 
-#include "stimuli/settings/analysis_settings.h"
+#include "stimuli/settings/people/analysis_settings.h"
 #include "stimuli/settings/read_settings.h"
 #include "stimuli/study_file/parts/study_file_task.h"
 

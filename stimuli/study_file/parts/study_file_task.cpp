@@ -9,28 +9,12 @@
 
 #include "stimuli/definition/parts/staircase_definition.h"
 #include "stimuli/definition/parts/task_definition.h"
+#include "stimuli/settings/people/task_settings.h"
+#include "stimuli/settings/read_settings.h"
 #include "support/text/error.h"
 
 namespace seamline::inline stimuli {
 namespace {
-
-TaskKind read_kind(const TomlTable& task) {
-  std::string wanted;
-  const std::string text = task.has("kind") ? task.text("kind") : std::string();
-  for (const TaskKind kind : every_task_kind) {
-    if (word(kind) == text) return kind;
-    wanted += fmt::format("{}\"{}\"", wanted.empty() ? "" : " or ", word(kind));
-  }
-  throw task.complaint("kind", wanted, text.empty() ? "nothing" : "\"" + text + "\"");
-}
-
-/// A key that means nothing for the task is no key to be passed over.
-void refuse_unless(const TomlTable& task, const char* key, bool has_meaning, TaskKind kind,
-                   const char* belongs_to) {
-  if (!has_meaning && task.has(key))
-    throw task.complaint(key, std::string("kind = ") + belongs_to + " where it is set",
-                         "kind = \"" + std::string(word(kind)) + "\"");
-}
 
 std::vector<std::string> read_task_labels(const TomlTable& task) {
   if (!task.has("labels")) return impairment_labels();
@@ -63,41 +47,19 @@ std::vector<std::string> read_answers(const TomlTable& task, const TaskDefinitio
 TaskDefinition read_task_table(const TomlTable& table, int usual_number_of_objects) {
   TaskDefinition task;
   task.objects = usual_number_of_objects;
-  task.kind = read_kind(table);
-  const bool interval = task.kind == TaskKind::interval;
-  refuse_unless(table, "asks", task.kind == TaskKind::pair, task.kind, "\"pair\"");
-  if (table.has("asks")) {
-    const std::string asks = table.text("asks");
-    if (asks != "which" && asks != "same")
-      throw table.complaint("asks", "\"which\" or \"same\"", "\"" + asks + "\"");
-    task.same = asks == "same";
-  }
-  const bool second = task.kind == TaskKind::object || task.kind == TaskKind::pair || interval;
-  const double fewest = task.kind == TaskKind::object ? 2 : 1;  // among one there is no choice
-  task.objects = table.integer("objects", task.objects, {fewest, most_objects_of_scene, "objects"});
-  refuse_unless(table, "pictures", interval, task.kind, "\"interval\"");
-  refuse_unless(table, "gap_s", interval, task.kind, "\"interval\"");
-  refuse_unless(table, "labels", task.kind == TaskKind::rating, task.kind, "\"rating\"");
-  refuse_unless(table, "second_question", second, task.kind, "\"object\", \"pair\" or \"interval\"");
-  refuse_unless(table, "exposure_s", task.kind != TaskKind::object && task.kind != TaskKind::match, task.kind,
-                "\"pair\", \"interval\", \"yes_no\" or \"rating\"");
-  if (interval) {
-    task.pictures = table.integer("pictures", task.pictures, {2, 3, "pictures"});
-    task.gap_s = table.number("gap_s", task.gap_s, {0.05, 60, "s"});
-  }
-  task.exposure_s = table.number("exposure_s", interval ? 0.5 : 0, {interval ? 0.05 : 0, 600, "s"});
-  if (task.same && table.has("second_question") && table.boolean("second_question", false))
+  read_setting(table, "kind", task);
+  task.second_question = task.kind == TaskKind::object;
+  if (task.kind == TaskKind::interval) task.exposure_s = 0.5;
+  read_settings(table, task);
+  if (task.same && table.has("second_question") && task.second_question)
     throw table.complaint("second_question", "false beside asks = \"same\"", "true");
-  task.second_question =
-      second && !task.same && table.boolean("second_question", task.kind == TaskKind::object);
-  if (task.kind == TaskKind::rating) task.labels = read_task_labels(table);
+  task.second_question = task.second_question && !task.same;
+  const bool rates = task.kind == TaskKind::rating;
+  if (!rates && table.has("labels"))
+    throw table.complaint("labels", "kind = \"rating\" where it is set",
+                          "kind = \"" + std::string(word(task.kind)) + "\"");
+  if (rates) task.labels = read_task_labels(table);
   task.answers = read_answers(table, task);
-  task.repetitions = table.integer("repetitions", task.repetitions, {1, 1000, "repetitions"});
-  if (table.has("blocks")) {
-    if (const std::string blocks = table.text("blocks"); blocks != "condition")
-      throw table.complaint("blocks", "\"condition\"", "\"" + blocks + "\"");
-    task.blocks = true;
-  }
   table.finish();
   return task;
 }
@@ -128,12 +90,7 @@ void check_quest_plus(const TomlTable& study, StudyDefinition& definition) {
 
 StaircaseDefinition read_staircase_table(const TomlTable& table) {
   StaircaseDefinition staircase;
-  staircase.down = table.integer("down", staircase.down, {1, 10, "answers"});
-  staircase.up = table.integer("up", staircase.up, {1, 10, "answers"});
-  staircase.reversals = table.integer("reversals", staircase.reversals, {4, 100, "reversals"});
-  staircase.max_trials = table.integer("max_trials", staircase.max_trials, {10, 1000, "trials"});
-  if (table.has("start")) staircase.start = table.numbers("start", {-1e9, 1e9, "levels"});
-  staircase.by_object = table.boolean("by_object", staircase.by_object);
+  read_settings(table, staircase);
   table.finish();
   return staircase;
 }

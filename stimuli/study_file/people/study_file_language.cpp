@@ -7,7 +7,7 @@
 #include <set>
 
 #include "stimuli/definition/parts/task_definition.h"
-#include "stimuli/settings/session_settings.h"
+#include "stimuli/settings/people/session_settings.h"
 #include "stimuli/study_file/people/study_file_recruitment.h"
 #include "support/files/assets.h"
 #include "support/files/confined_path.h"

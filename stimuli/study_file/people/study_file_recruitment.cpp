@@ -7,10 +7,12 @@
 #include <regex>
 #include <set>
 
+#include "stimuli/settings/people/recruitment_settings.h"
+#include "stimuli/settings/read_settings.h"
+
 namespace seamline::inline stimuli {
 namespace {
 
-constexpr double most_recruited_people = 1e6;
 constexpr std::size_t most_code_bytes = 100, most_identifiers = 20;
 
 void check_no_field_is_unknown(const TomlTable& table, const std::string& key, const std::string& name,
@@ -147,23 +149,19 @@ std::shared_ptr<const RecruitmentDefinition> read_recruitment(const TomlTable& s
   if (!table) return nullptr;
   RecruitmentDefinition read;
   read.identifiers = read_identifiers(*table);
-  read.identifiers_required = table->boolean("identifiers_required", read.identifiers_required);
+  read_settings(*table, read);
   read.return_link = read_return_link(*table, read.identifiers);
   for (const TomlTable& rule : table->tables("screen")) {
     read.screen.push_back(read_form_rule(rule, form));
     rule.finish();
   }
   for (const TomlTable& quota : table->tables("quota")) {
-    if (!quota.has("most_people")) throw quota.complaint("most_people", "how many people", "nothing");
-    read.quotas.push_back(
-        {.rule = read_form_rule(quota, form),
-         .most_people = quota.integer("most_people", 0, {1, most_recruited_people, "people"})});
+    QuotaDefinition& added = read.quotas.emplace_back();
+    read_settings(quota, added);
+    added.rule = read_form_rule(quota, form);
     quota.finish();
   }
-  read.most_people = table->integer("most_people", read.most_people, {0, most_recruited_people, "people"});
-  read.hold_min = table->number("hold_min", read.hold_min, {1, 100000, "min"});
   if (table->has("closes")) read.closes_unix_s = read_closing(*table);
-  read.least_attention = table->integer("least_attention", 0, {0, 1000, "trials"});
   if (read.least_attention > attention_trials)
     throw table->complaint("least_attention",
                            fmt::format("at most the {} attention trials of [catch]", attention_trials),

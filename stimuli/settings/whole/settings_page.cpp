@@ -1,15 +1,20 @@
-#include "stimuli/settings/settings_page.h"
+#include "stimuli/settings/whole/settings_page.h"
 
 #include <set>
 #include <sstream>
 #include <utility>
 
-#include "stimuli/settings/analysis_settings.h"
+#include "stimuli/settings/clip_settings.h"
 #include "stimuli/settings/depth_settings.h"
+#include "stimuli/settings/look_settings.h"
 #include "stimuli/settings/mitigation_settings.h"
+#include "stimuli/settings/people/analysis_settings.h"
+#include "stimuli/settings/people/procedure_settings.h"
+#include "stimuli/settings/people/recruitment_settings.h"
+#include "stimuli/settings/people/session_settings.h"
+#include "stimuli/settings/people/task_settings.h"
 #include "stimuli/settings/pipeline_settings.h"
 #include "stimuli/settings/scene_settings.h"
-#include "stimuli/settings/session_settings.h"
 #include "stimuli/settings/study_settings.h"
 #include "stimuli/settings/view_settings.h"
 #include "support/text/error.h"
@@ -34,19 +39,30 @@ std::string three_cell(const Three& three) {
   return fmt::format("[{}, {}, {}]", three[0] + 0.0, three[1] + 0.0, three[2] + 0.0);  // no sign of zeros
 }
 
+template <class Two>
+std::string two_cell(const Two& two) {
+  return fmt::format("[{}, {}]", two[0], two[1]);
+}
+
 template <class Owner>
 std::string type_cell(const Setting<Owner>& row) {
-  return std::visit(Overloaded{[](double Owner::*) { return std::string("number"); },
-                               [](std::optional<double> Owner::*) { return std::string("number"); },
-                               [](int Owner::*) { return std::string("whole"); },
-                               [](std::uint64_t Owner::*) { return std::string("whole"); },
-                               [](bool Owner::*) { return std::string("boolean"); },
-                               [](const Choice<Owner>&) { return std::string("text"); },
-                               [](std::string Owner::*) { return std::string("text"); },
-                               [](const Part<Owner>&) { return std::string("table"); },
-                               [](const Described& described) { return std::string(described.type); },
-                               [](auto Owner::*) { return std::string("three numbers"); }},
-                    row.slot);
+  return std::visit(
+      Overloaded{[](double Owner::*) { return std::string("number"); },
+                 [](std::optional<double> Owner::*) { return std::string("number"); },
+                 [](int Owner::*) { return std::string("whole"); },
+                 [](std::uint64_t Owner::*) { return std::string("whole"); },
+                 [](bool Owner::*) { return std::string("boolean"); },
+                 [](const Choice<Owner>&) { return std::string("text"); },
+                 [](std::string Owner::*) { return std::string("text"); },
+                 [](const Part<Owner>&) { return std::string("table"); },
+                 [](std::vector<double> Owner::*) { return std::string("numbers"); },
+                 [](std::vector<std::string> Owner::*) { return std::string("texts"); },
+                 [](std::array<int, 2> Owner::*) { return std::string("two whole"); },
+                 [](std::array<double, 2> Owner::*) { return std::string("two numbers"); },
+                 [](std::optional<std::array<double, 2>> Owner::*) { return std::string("two numbers"); },
+                 [](const Described& described) { return std::string(described.type); },
+                 [](auto Owner::*) { return std::string("three numbers"); }},
+      row.slot);
 }
 
 template <class Owner>
@@ -54,7 +70,7 @@ std::string range_cell(const Setting<Owner>& row) {
   std::string text(row.form);
   if (const auto* choice = std::get_if<Choice<Owner>>(&row.slot))
     for (const std::string_view word : choice->words)
-      text += fmt::format("{}`\"{}\"`", text.empty() ? "" : ", ", word);
+      if (!word.empty()) text += fmt::format("{}`\"{}\"`", text.empty() ? "" : ", ", word);
   if (row.range.least == row.range.most || row.form == "not zero") return text;
   text += fmt::format("{}{} to {}", text.empty() ? "" : ", ", number_cell(row.range.least),
                       number_cell(row.range.most));
@@ -78,6 +94,8 @@ std::string usual_cell(const Setting<Owner>& row) {
                  [](std::optional<double> Owner::*) { return std::string("none"); },
                  [&](Eigen::Vector3d Owner::*member) { return three_cell(usual.*member); },
                  [&](std::array<double, 3> Owner::*member) { return three_cell(usual.*member); },
+                 [&](std::array<int, 2> Owner::*member) { return two_cell(usual.*member); },
+                 [&](std::array<double, 2> Owner::*member) { return two_cell(usual.*member); },
                  [&](auto Owner::* /*member*/) { return value_text(row, usual); }},
       row.slot);
 }
@@ -146,6 +164,14 @@ std::string repair_table() {
   return table.text();
 }
 
+std::string path_table() {
+  Table table("kind");
+  table.add<LineMotion>("line");
+  table.add<TurnMotion>("turn");
+  table.add<KeyedMotion>("keys");
+  return table.text();
+}
+
 std::string table_named(const std::string& name) {
   if (name == "study") return table_of<StudyDefinition, DepthSettings>();
   if (name == "depth")
@@ -163,6 +189,17 @@ std::string table_named(const std::string& name) {
   if (name == "camera") return table_of<CameraDefinition>();
   if (name == "object") return table_of<ObjectDefinition>();
   if (name == "session") return table_of<SessionDefinition>();
+  if (name == "level") return table_of<LevelDefinition>();
+  if (name == "clip") return table_of<ClipDefinition>();
+  if (name == "path") return path_table();
+  if (name == "animation") return table_of<FileAnimation>();
+  if (name == "look") return table_of<LookDefinition>();
+  if (name == "task") return table_of<TaskDefinition>();
+  if (name == "staircase") return table_of<StaircaseDefinition>();
+  if (name == "quest_plus") return table_of<QuestPlusDefinition>();
+  if (name == "observer") return table_of<ObserverDefinition>();
+  if (name == "recruitment") return table_of<RecruitmentDefinition>();
+  if (name == "analysis") return table_of<AnalysisDefinition>();
   if (name == "catch") return table_of<CatchDefinition>();
   if (name == "consent") return table_of<ConsentDefinition>();
   if (name == "analysis.clip") return table_of<LateFrames>();

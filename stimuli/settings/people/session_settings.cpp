@@ -1,4 +1,4 @@
-#include "stimuli/settings/session_settings.h"
+#include "stimuli/settings/people/session_settings.h"
 
 #include <regex>
 
