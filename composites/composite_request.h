@@ -14,9 +14,6 @@
 
 namespace seamline::renderer {
 
-/// Who decides what is in front.
-enum class PhotoOcclusion { mesh, depth_test, depth_buffer, none };
-
 /// Whose light falls into the photograph.
 struct PhotoLightRequest {
   /// Suns, lamps and environment that were given; its environment is black where none was.
@@ -51,7 +48,7 @@ struct CompositeRequest {
   double albedo = 0.5;  ///< of the local scene
   int bounces = 4;
 
-  PhotoOcclusion occlusion = PhotoOcclusion::mesh;
+  Occlusion occlusion = Occlusion::mesh;  ///< or `depth_test`, `depth_buffer`, `nobody`
   sensors::DepthBuffer buffer;
   std::string occlusion_mask, shadow_matte;  ///< files; empty: none
   bool shadows = true;  ///< that objects cast onto real surfaces; else these keep the photograph's bytes

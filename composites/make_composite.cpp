@@ -31,9 +31,9 @@ struct GivenAnswers {
   std::optional<OcclusionTest> test;  ///< a mask, or depth looked up a pixel
   std::optional<Mask> shadow_matte;
 
-  [[nodiscard]] Occlusion occlusion(PhotoOcclusion kind) const {
+  [[nodiscard]] PhotoOcclusion occlusion(Occlusion kind) const {
     if (test) return {.test = &*test};
-    return {.nothing_hides = kind == PhotoOcclusion::none};
+    return {.nothing_hides = kind == Occlusion::nobody};
   }
 };
 
@@ -49,11 +49,10 @@ GivenAnswers given_answers(const CompositeRequest& request, const SeenPhoto& see
   given.shadow_matte = mask(request.shadow_matte);
   if (!request.occlusion_mask.empty()) {
     given.test.emplace().mask = mask(request.occlusion_mask);
-  } else if (request.occlusion == PhotoOcclusion::depth_test ||
-             request.occlusion == PhotoOcclusion::depth_buffer) {
+  } else if (request.occlusion == Occlusion::depth_test || request.occlusion == Occlusion::depth_buffer) {
     given.test =
         OcclusionTest{.sights = {photo_sight(depth, request.depth, camera)}, .forward = -camera.axes.col(2)};
-    if (request.occlusion == PhotoOcclusion::depth_buffer) {
+    if (request.occlusion == Occlusion::depth_buffer) {
       sensors::require_valid(request.buffer, "--depth-buffer-near and --depth-buffer-far");
       given.test->buffer = request.buffer;
     }
@@ -66,13 +65,13 @@ std::vector<std::string> answers_text(const CompositeRequest& request) {
   std::vector<std::string> text;
   if (!request.occlusion_mask.empty())
     text.push_back("who is in front: the mask " + printable(request.occlusion_mask));
-  else if (request.occlusion == PhotoOcclusion::depth_test)
+  else if (request.occlusion == Occlusion::depth_test)
     text.push_back("who is in front: depth, looked up a sample in metres");
-  else if (request.occlusion == PhotoOcclusion::depth_buffer)
+  else if (request.occlusion == Occlusion::depth_buffer)
     text.push_back(
         fmt::format("who is in front: depth, looked up a sample in a depth buffer of {} bits, {:g} to {:g} m",
                     request.buffer.bits, request.buffer.nearest_m, request.buffer.farthest_m));
-  else if (request.occlusion == PhotoOcclusion::none)
+  else if (request.occlusion == Occlusion::nobody)
     text.push_back("who is in front: the objects, always, and nothing real shades them");
   if (!request.shadow_matte.empty())
     text.push_back("which real surfaces suns reach: the matte " + printable(request.shadow_matte));

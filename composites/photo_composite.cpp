@@ -83,8 +83,8 @@ class PhotoSampler {
   }
 
   void brighten(const SurfacePoint& real, const Sampler& sampler, AddedPixel& added) const {
-    const Rgb sent =
-        leaving_pair(scene_.depth, &scene_.objects, real, *scene_.added, sampler).with_object.total();
+    const Rgb sent = radiance_with_and_without(scene_.depth, &scene_.objects, real, *scene_.added, sampler)
+                         .with_object.total();
     added.sent += sent;
     added.by_white += (real.albedo > 0.0F).select(sent / real.albedo, 0.0F);
   }
@@ -93,12 +93,15 @@ class PhotoSampler {
   /// matte lets through, and not what the local scene does.
   [[nodiscard]] std::pair<Rgb, Rgb> uncovered(const Sight& sight, const SurfacePoint& real,
                                               const Sampler& sampler) const {
-    const RadiancePair pair = leaving_pair(scene_.depth, &scene_.objects, real, scene_.light, sampler);
+    const RadiancePair pair =
+        radiance_with_and_without(scene_.depth, &scene_.objects, real, scene_.light, sampler);
     Rgb without_object = pair.without_object.total(), with_object = pair.with_object.total();
     if (scene_.shadow_matte == nullptr || suns_.suns.empty()) return {without_object, with_object};
     const float lit = 1.0F - mask_at(*scene_.shadow_matte, sight.place);
-    const RadiancePair past_scene = leaving_pair(scene_.depth, &scene_.objects, real, suns_, sampler);
-    const RadiancePair past_objects = leaving_pair(nothing_, &scene_.objects, real, suns_, sampler);
+    const RadiancePair past_scene =
+        radiance_with_and_without(scene_.depth, &scene_.objects, real, suns_, sampler);
+    const RadiancePair past_objects =
+        radiance_with_and_without(nothing_, &scene_.objects, real, suns_, sampler);
     without_object += lit * past_objects.without_object.total() - past_scene.without_object.total();
     with_object += lit * past_objects.with_object.total() - past_scene.with_object.total();
     return {without_object.max(0.0F), with_object.max(0.0F)};

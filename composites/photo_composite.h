@@ -10,7 +10,7 @@ namespace seamline::renderer {
 class SeenEmission;
 
 /// Who is in front, in place of the depth mesh.
-struct Occlusion {
+struct PhotoOcclusion {
   const OcclusionTest* test = nullptr;  ///< null: the mesh decides, or nobody
   /// The objects are drawn over everything. Then real things do not shade them either: where they stand
   /// behind or within these, they would be black.
@@ -25,7 +25,7 @@ struct PhotoScene {
   const Geometry& depth;
   const Geometry& objects;  ///< all of them: they shade each other
   const Light& light;
-  Occlusion occlusion = {};
+  PhotoOcclusion occlusion = {};
   const Mask* shadow_matte = nullptr;  ///< where the suns do not reach; null: the local scene says it
   const Light* added = nullptr;        ///< exists only with the objects; null: none
   const SeenEmission* seen =

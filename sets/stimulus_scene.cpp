@@ -12,8 +12,7 @@ namespace {
 
 bool looks_at_photograph(const DepthSettings& settings) {
   return (settings.chain && guided_by_photograph(*settings.chain)) ||
-         settings.albedo == MeshAlbedo::photograph ||
-         settings.mitigation.occlusion == OcclusionMitigation::edges ||
+         settings.albedo == MeshAlbedo::photograph || settings.mitigation.occlusion == Occlusion::edges ||
          settings.mitigation.shadow == ShadowMitigation::detected;
 }
 
@@ -23,10 +22,10 @@ void add_masks(const TruthScene& scene, const ObjectGeometry& geometry, const De
   const Mitigation& mitigation = settings.mitigation;
   const Camera camera = centre_camera(scene.camera);
   const DetectedFrom detected_from{photograph, camera, threads};
-  if (mitigation.occlusion != OcclusionMitigation::none) {
+  if (mitigation.occlusion != Occlusion::mesh) {
     const MaskedObject object(geometry.object);
     local.occlusion.emplace();
-    local.occlusion->mask = mitigation.occlusion == OcclusionMitigation::mask
+    local.occlusion->mask = mitigation.occlusion == Occlusion::mask
                                 ? occlusion_mask(geometry.truth, object, mitigation.mask_width_px, threads)
                                 : detected_mask(local.geometry, object, settings.width_px,
                                                 mitigation.mask_width_px, detected_from);
@@ -45,7 +44,7 @@ LocalScene stimulus_scene(const TruthScene& scene, const SceneEstimator& estimat
   const Geometry& truth = captured != nullptr ? *captured : estimator.geometry().truth;
   Image photograph;
   if (looks_at_photograph(settings)) photograph = background_image(estimator.truth());
-  const bool tests_depth = settings.pipeline.occlusion == PipelineOcclusion::depth_test;
+  const bool tests_depth = settings.pipeline.occlusion == Occlusion::depth_test;
   std::optional<MeasuredPanorama> budgeted;
   if (settings.chain && is_budgeted(*settings.chain))
     budgeted = budgeted_panorama(

@@ -68,7 +68,7 @@ SceneDefinition truth_definition(const StudyDefinition& study, const Stimulus& s
 
 void require_light(const Light& light, const std::string& source) {
   const bool shines = !light.suns.empty() || !light.lamps.empty() || light.environment != nullptr ||
-                      light.glowing != nullptr || (light.environment_radiance > 0.0F).any();
+                      light.emitters != nullptr || (light.environment_radiance > 0.0F).any();
   if (!shines)
     throw input_error({.file = source,
                        .wanted = "a light, a lamp or a surface that emits, or --environment or --to-sun with "
@@ -141,7 +141,7 @@ X3dSubject subject_of_scene(const X3dRequest& request) {
   const auto meshes =
       place_meshes(file, Eigen::Affine3d::Identity(), subject.camera_position_m, request.light.albedo, 0);
   subject.light = scene_light(request.light, file, subject.camera_position_m);
-  add_glowing(meshes, subject.light);
+  add_emitters(meshes, subject.light);
   require_light(subject.light, request.source);
   PhotoObjects placed = place_objects({*request.object}, subject.camera_position_m);
   subject.objects = std::move(placed.meshes);

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "commands/options/command_help.h"
+#include "commands/options/setting_option.h"
 #include "composites/objects/objects_file.h"
 #include "live/running/run_headless.h"
 #include "physics/rigid_world.h"
@@ -21,19 +22,11 @@ struct LiveOptions {
   std::string recording, objects_file, size, out, csv;
   std::vector<std::string> objects;
   std::vector<double> at_m, heights_m;
-  std::string mapping = "mesh", occlusion = "depth_test", shadows = "pcf", track = "recorded",
-              jumps = "stretch";
+  std::string jumps = "stretch";
   bool headless = false, time = false, marker_given = false;
   bool spacing_given = false, parallax_given = false, drop_given = false;
   LiveRequest request;
 };
-
-template <class Value>
-Value value_of(const std::string& text, int count) {
-  for (int i = 0; i < count; ++i)
-    if (text == word(static_cast<Value>(i))) return static_cast<Value>(i);
-  return Value{};
-}
 
 void check_size(const std::string& text) {
   const auto size = whole_pair(text, 'x');
@@ -62,7 +55,7 @@ void check(const LiveOptions& options) {
   if (!options.headless && options.time) refuse("--time", "--headless beside it", "a window");
   if (options.headless && options.out.empty() && options.csv.empty() && !options.time)
     refuse("--headless", "--out, --csv or --time beside it", "none of them");
-  if (options.marker_given && options.track != "marker")
+  if (options.marker_given && options.request.tracking != Tracking::marker)
     refuse("--marker-side", "--track marker beside it", "another way");
   if ((options.spacing_given || options.parallax_given) && options.request.settings.views == 1)
     refuse(options.spacing_given ? "--eye-spacing" : "--zero-parallax", "--views of at least 2 beside it",
@@ -75,10 +68,6 @@ void check(const LiveOptions& options) {
 LiveRequest request_of(const LiveOptions& options) {
   LiveRequest request = options.request;
   request.recording = options.recording;
-  request.methods = {.mapping = value_of<Mapping>(options.mapping, mapping_count),
-                     .occlusion = value_of<Occlusion>(options.occlusion, occlusion_count),
-                     .shadows = value_of<Shadows>(options.shadows, shadows_count)};
-  request.tracking = value_of<Tracking>(options.track, tracking_count);
   if (options.jumps == "cut") request.settings.local_mesh.cut_ratio = 1.1F;
   if (const auto size = whole_pair(options.size, 'x')) {
     request.load.width_px = size->first;
@@ -133,18 +122,12 @@ void add_live_command(CLI::App& app, const ShowInWindow& show) {
              "of each object (default: a fifth of its distance)");
   command->add_option("--objects", options->objects_file,
                       "file of objects, perhaps with their light, as of composite");
-  command->add_option("--mapping", options->mapping, "how depth comes into the picture's pixels")
-      ->check(CLI::IsMember({"points", "mesh"}))
-      ->capture_default_str();
-  command->add_option("--occlusion", options->occlusion, "who says what is in front")
-      ->check(CLI::IsMember({"none", "mesh", "depth_test", "ghosts"}))
-      ->capture_default_str();
-  command->add_option("--shadows", options->shadows, "how light is kept away")
-      ->check(CLI::IsMember({"none", "traced", "map", "pcf", "pcss"}))
-      ->capture_default_str();
-  command->add_option("--track", options->track, "where the camera's poses come from")
-      ->check(CLI::IsMember({"recorded", "still", "marker", "features"}))
-      ->capture_default_str();
+  add_choice(*command, "--mapping", request.methods.mapping, every_mapping,
+             "how depth comes into the picture's pixels");
+  add_choice(*command, "--occlusion", request.methods.occlusion, every_occlusion,
+             "who says what is in front");
+  add_choice(*command, "--shadows", request.methods.shadows, every_shadows, "how light is kept away");
+  add_choice(*command, "--track", request.tracking, every_tracking, "where the camera's poses come from");
   command->add_flag("--physics", request.physics,
                     "the objects fall, in the recording's time, and rest on the real surfaces that each "
                     "frame shows (needs Bullet)");

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -25,6 +26,21 @@ CLI::Option* add_setting(CLI::App& command, const std::string& name, std::string
 template <class Value>
 [[nodiscard]] std::vector<std::string> option_words() {
   return {words_of<Value>.begin(), words_of<Value>.end()};
+}
+
+/// An option that takes the word of one of these values. Words are those of `word(Value)`.
+template <class Value, std::size_t count>
+CLI::Option* add_choice(CLI::App& command, const std::string& name, Value& value,
+                        const std::array<Value, count>& every, const std::string& description) {
+  std::vector<std::string> words;
+  for (const Value one : every) words.emplace_back(word(one));
+  const auto choose = [&value, every](const std::string& text) {
+    for (const Value one : every)
+      if (word(one) == text) value = one;
+  };
+  return command.add_option_function<std::string>(name, choose, description)
+      ->check(CLI::IsMember(words))
+      ->default_str(std::string(word(value)));
 }
 
 }  // namespace seamline::inline stimuli

@@ -57,8 +57,8 @@ void check_given(const CompositeOptions& options, const Given& given) {
                "depth of the camera " + options.request.depth.camera);
   given.refuse({"--jump-ratio"}, options.jumps == "cut", "--jumps cut beside it", "--jumps " + options.jumps);
   given.refuse({"--depth-buffer-bits", "--depth-buffer-near", "--depth-buffer-far"},
-               options.occlusion == "depth_buffer", "--occlusion depth_buffer beside it",
-               "--occlusion " + options.occlusion);
+               options.request.occlusion == Occlusion::depth_buffer, "--occlusion depth_buffer beside it",
+               "--occlusion " + std::string(word(options.request.occlusion)));
   given.refuse({"--occlusion"}, !given("--occlusion-mask"),
                "no --occlusion-mask beside it, which answers the same", "both");
   given.refuse({"--shadow-matte", "--additive"}, options.shadows == "cast", "--shadows cast beside it",
@@ -189,10 +189,6 @@ CompositeRequest request_of(const CompositeOptions& options, const CLI::App& com
   if (given("--view")) request.view_px = whole_pair(options.view, 'x');
   if (given("--look-at")) request.look_at_m = as_vector(options.look_at_m);
   if (given("--fov")) request.fov_deg = options.fov_deg;
-  request.occlusion = options.occlusion == "none"         ? PhotoOcclusion::none
-                      : options.occlusion == "depth_test" ? PhotoOcclusion::depth_test
-                      : options.occlusion == "mesh"       ? PhotoOcclusion::mesh
-                                                          : PhotoOcclusion::depth_buffer;
   request.shadows = options.shadows == "cast";
   if (options.repair != "none") request.repair = options.repair;
   if (given("--depth-width")) {

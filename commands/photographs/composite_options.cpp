@@ -1,6 +1,7 @@
 #include "commands/photographs/composite_options.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "commands/options/setting_option.h"
@@ -204,13 +205,11 @@ void add_light_options(CLI::App& command, CompositeOptions& options) {
 
 void add_answer_options(CLI::App& command, CompositeOptions& options) {
   CompositeRequest& request = options.request;
-  command
-      .add_option(
-          "--occlusion", options.occlusion,
-          "who is in front: the mesh, a depth test in metres a pixel (linear between the map's texels), the "
-          "same in a depth buffer, or always the object (none)")
-      ->check(CLI::IsMember({"mesh", "depth_test", "depth_buffer", "none"}))
-      ->capture_default_str();
+  constexpr std::array occlusions = {Occlusion::mesh, Occlusion::depth_test, Occlusion::depth_buffer,
+                                     Occlusion::nobody};
+  add_choice(command, "--occlusion", request.occlusion, occlusions,
+             "who is in front: the mesh, a depth test in metres a pixel (linear between the map's texels), "
+             "the same in a depth buffer, or always the object (none)");
   add_setting(command, "--depth-buffer-bits", "buffer_bits", request.buffer, "of --occlusion depth_buffer");
   add_setting(command, "--depth-buffer-near", "buffer_near_m", request.buffer, "its nearer plane");
   add_setting(command, "--depth-buffer-far", "buffer_far_m", request.buffer, "its farther plane");

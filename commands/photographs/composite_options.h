@@ -16,7 +16,7 @@ struct CompositeOptions {
   MeshCommandOptions mesh;
   DepthOptions depth;
   std::string projection = "auto", depth_view = "auto", depth_kind = "auto", view, jumps = "stretch",
-              occlusion = "mesh", shadows = "cast", repair = "none", estimator = "auto", seamless, asset_root;
+              shadows = "cast", repair = "none", estimator = "auto", seamless, asset_root;
   std::string object, objects, materials = "gltf", transparent, environment_map;
   std::array<double, 3> position_m{0, 0, -3}, rotation_deg{0, 0, 0}, look_at_m{0, 0, -1},
       environment{0, 0, 0};

@@ -107,7 +107,7 @@ SceneDefinition scene_of(const PictureOptions& options, const std::filesystem::p
 
 void require_light(const Light& light, const PictureOptions& options) {
   const bool shines = !light.suns.empty() || !light.lamps.empty() || light.environment != nullptr ||
-                      light.glowing != nullptr || (light.environment_radiance > 0.0F).any();
+                      light.emitters != nullptr || (light.environment_radiance > 0.0F).any();
   if (!shines)
     throw input_error({.file = options.scene,
                        .wanted = "a light, a lamp or a surface that emits, or one of --environment, "
@@ -223,7 +223,7 @@ void run_picture(const PictureOptions& options) {
   auto meshes = place_meshes(file, Eigen::Affine3d::Identity(), centre_m, scene.albedo, 0);
   add_objects(options, centre_m, meshes);
   Light light = scene_light(scene, file, centre_m);
-  add_glowing(meshes, light);
+  add_emitters(meshes, light);
   require_light(light, options);
   if (!options.has_place) print_framing(file, scene.camera);
   print_left_out(file, options);

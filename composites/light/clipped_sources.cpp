@@ -108,10 +108,12 @@ std::optional<SeenSurfaces> surfaces_at(const PartedLight& light, const Geometry
     point->albedo = Rgb::Ones();
     ++met;
     seen.sent += shown.cast<double>();
-    seen.by_clipped +=
-        leaving_pair(local, nullptr, *point, light.clipped, sampler).without_object.total().cast<double>();
-    seen.by_rest +=
-        leaving_pair(local, nullptr, *point, light.rest, sampler).without_object.total().cast<double>();
+    seen.by_clipped += radiance_with_and_without(local, nullptr, *point, light.clipped, sampler)
+                           .without_object.total()
+                           .cast<double>();
+    seen.by_rest += radiance_with_and_without(local, nullptr, *point, light.rest, sampler)
+                        .without_object.total()
+                        .cast<double>();
   }
   if (!(seen.by_clipped.mean() > 0)) return std::nullopt;
   for (Eigen::Array3d* mean : {&seen.sent, &seen.by_clipped, &seen.by_rest}) *mean /= met;

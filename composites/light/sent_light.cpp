@@ -32,7 +32,7 @@ std::optional<Rgb> implied_albedo(const Geometry& local, const Light& light, int
     std::optional<SurfacePoint> point = local.nearest({Eigen::Vector3f::Zero(), direction});
     if (!point) continue;
     point->albedo = Rgb::Ones();
-    received += leaving_pair(local, nullptr, *point, light, sampler).without_object.total();
+    received += radiance_with_and_without(local, nullptr, *point, light, sampler).without_object.total();
     sent += light.environment->radiance(direction);
   }
   if (!(received > 0.0F).all()) return std::nullopt;

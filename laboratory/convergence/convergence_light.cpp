@@ -84,13 +84,15 @@ class Sampling {
         out.radiance[questions.past_everything[i].pixel] +=
             questions.past_everything[i].radiance.cast<double>();
     rays.clear();
-    for (const auto& found : questions.what_glows) rays.push_back(found.asked.ray);
+    for (const auto& found : questions.emission_questions) rays.push_back(found.asked.ray);
     std::vector<std::optional<SurfacePoint>> hits(rays.size());
     truth_.nearest(rays, hits, Coherence::scattered, &counts);
     for (std::size_t i = 0; i < rays.size(); ++i)
       if (hits[i])
-        out.radiance[questions.what_glows[i].asked.pixel] +=
-            (questions.what_glows[i].asked.radiance * questions.what_glows[i].glow(*hits[i])).cast<double>();
+        out.radiance[questions.emission_questions[i].asked.pixel] +=
+            (questions.emission_questions[i].asked.radiance *
+             questions.emission_questions[i].emission(*hits[i]))
+                .cast<double>();
   }
 
   const Geometry& truth_;

@@ -8,7 +8,7 @@ namespace seamline::renderer {
 
 /// The noise that one way of sampling one kind of light leaves, and what it costs.
 struct LightRow {
-  std::string light;     ///< "environment map", "sky", "glowing surfaces" or "lamps": it alone shines
+  std::string light;     ///< "environment map", "sky", "emitting surfaces" or "lamps": it alone shines
   std::string strategy;  ///< how its directions are chosen
   int rays = 1;          ///< times that every sample chooses
   int spp = 0;           ///< samples, and camera rays, a pixel
@@ -34,7 +34,7 @@ struct LightResult {
 ///   cosine elsewhere), by the cosine everywhere, and by map and surface together under the power heuristic,
 ///   as both estimators have it;
 /// - a sky of one radiance by the directions of surfaces, and by the cosine;
-/// - glowing surfaces by area and luminance, by the directions of surfaces, and by both;
+/// - emitting surfaces by area and luminance, by the directions of surfaces, and by both;
 /// - lamps without size: one, chosen by what it sends to the point, one chosen evenly, and every one.
 /// Each with 1, 2 and 4 rays a sample, and 1, 4, 16 and 64 samples a pixel. The reference is by the last
 /// strategy of each, with other points and `reference_spp` samples. Throws InputError when the scene has no

@@ -104,21 +104,21 @@ class Variants {
     for (const Jumps jumps : {Jumps::stretch, Jumps::cut, Jumps::layer}) {
       DepthChain chain = chain_of(sensor(false, 0));
       chain.jumps = jumps;
-      add("jumps", std::string(word(jumps)), chain);
+      add("jumps", std::string(stimuli::word(jumps)), chain);
     }
   }
   /// Question 4 alone: by nobody, by the mesh, by a test a pixel.
   void add_occlusions() {
-    const auto of = [&](const std::string& name, const OcclusionMethod& method, Artifact artifact) {
+    const auto of = [&](const std::string& name, Occlusion method, Artifact artifact) {
       DepthChain chain;
       chain.occlusion = method;
       add("occlusion", name, chain);
       list_.back().recipe = recipe(artifact, Isolation::query);
     };
-    of("none", MeshOcclusion{}, Artifact::none);
-    of("mesh", MeshOcclusion{}, Artifact::occlusion);
-    of("depth_test", DepthTestOcclusion{}, Artifact::occlusion);
-    of("depth_buffer", sensors::DepthBuffer{}, Artifact::occlusion);
+    of("none", Occlusion::mesh, Artifact::none);
+    of("mesh", Occlusion::mesh, Artifact::occlusion);
+    of("depth_test", Occlusion::depth_test, Artifact::occlusion);
+    of("depth_buffer", Occlusion::depth_buffer, Artifact::occlusion);
   }
 
   const ConvergenceSubject& subject_;

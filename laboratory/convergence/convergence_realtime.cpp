@@ -49,7 +49,7 @@ std::vector<Method> methods() {
   for (const PipelineNormals normals :
        {PipelineNormals::truth, PipelineNormals::cross_products, PipelineNormals::triangle_mean})
     list.push_back({"normals", std::string(word(normals)), {.normals = normals}});
-  for (const PipelineOcclusion occlusion : {PipelineOcclusion::depth_test, PipelineOcclusion::ghosts})
+  for (const Occlusion occlusion : {Occlusion::depth_test, Occlusion::ghosts})
     list.push_back({"occlusion", std::string(word(occlusion)), {.occlusion = occlusion}});
   list.push_back({"compositing", "additive", {.compositing = PipelineCompositing::additive}});
   list.push_back({"compositing", "dark_layer", {.compositing = PipelineCompositing::dark_layer}});
@@ -105,7 +105,7 @@ std::vector<RealtimeRow> measure_realtime(const ConvergenceSubject& subject, con
   const auto world_of = [&](const Pipeline& pipeline) {
     local.realtime.reset();
     local.realtime_occlusion.reset();
-    if (pipeline.occlusion == PipelineOcclusion::depth_test) local.realtime_occlusion = depth_test;
+    if (pipeline.occlusion == Occlusion::depth_test) local.realtime_occlusion = depth_test;
     if (pipeline != Pipeline{})
       add_realtime_methods(subject.scene, subject.geometry, pipeline, subject.threads, local);
     return local.world();

@@ -15,7 +15,7 @@ Rgb sent_on(const SurfacePoint& point, const Eigen::Vector3f& direction) {
 }
 
 /// By the renderer's own light sampler, which weighs it against what surfaces find.
-Strategy by_light_sample(const Light& light, GlowHits hits) {
+Strategy by_light_sample(const Light& light, EmissionHits hits) {
   return [&light, hits](const SurfacePoint& point, const Sampler& sampler, std::size_t pixel,
                         RowQuestions& questions) {
     if (const auto sample = light_sample(light, 0, point, Rgb::Ones(), sampler, 0, hits))
@@ -71,13 +71,13 @@ Strategy sky_by_cosine(const Light& light) {
   };
 }
 
-// Surfaces that glow.
+// Surfaces that emit.
 
-Strategy glow_by_area(const Light& light) {
+Strategy emission_by_area(const Light& light) {
   return [&light](const SurfacePoint& point, const Sampler& sampler, std::size_t pixel,
                   RowQuestions& questions) {
-    const auto place =
-        light.glowing->sample(sampler.point(dimension::glow_choice(0))[0], sampler.point(dimension::glow(0)));
+    const auto place = light.emitters->sample(sampler.point(dimension::emission_choice(0))[0],
+                                              sampler.point(dimension::emission(0)));
     const Eigen::Vector3f to_place = place.position_m - point.position_m;
     const float distance_m = to_place.norm();
     if (!(distance_m > 0.0F)) return;
@@ -93,17 +93,18 @@ Strategy glow_by_area(const Light& light) {
 }
 
 /// `weighted`: less what light samples count of it.
-Strategy glow_by_surface(const Light& light, bool weighted) {
+Strategy emission_by_surface(const Light& light, bool weighted) {
   return [&light, weighted](const SurfacePoint& point, const Sampler& sampler, std::size_t pixel,
                             RowQuestions& questions) {
     const auto next = scatter(light, point, sampler.point(dimension::direction(0)));
     if (!next) return;
     const Eigen::Vector3f direction = next->direction;
-    const auto glow = [&light, weighted, point, direction](const SurfacePoint& hit) -> Rgb {
-      if (!(light.glowing->density_m2(hit) > 0.0F)) return Rgb::Zero();
-      return weighted ? glow_found(light, point, direction, hit).radiance : hit.emission;
+    const auto emission = [&light, weighted, point, direction](const SurfacePoint& hit) -> Rgb {
+      if (!(light.emitters->density_m2(hit) > 0.0F)) return Rgb::Zero();
+      return weighted ? emission_found(light, point, direction, hit).radiance : hit.emission;
     };
-    questions.what_glows.push_back({{pixel, leaving_ray(point, direction, endless), next->weight}, glow});
+    questions.emission_questions.push_back(
+        {{pixel, leaving_ray(point, direction, endless), next->weight}, emission});
   };
 }
 
@@ -145,7 +146,7 @@ Strategy suns_by_disc(const Light& light, SunHits hits) {
                         RowQuestions& questions) {
     for (int number = 0; number < light_samples(light); ++number)
       if (const auto sample =
-              light_sample(light, number, point, Rgb::Ones(), sampler, 0, GlowHits::unknown, hits))
+              light_sample(light, number, point, Rgb::Ones(), sampler, 0, EmissionHits::unknown, hits))
         questions.past_everything.push_back(
             {pixel, leaving_ray(point, sample->direction, sample->far_m), sample->total()});
   };
@@ -163,12 +164,12 @@ LightsApart lights_apart(const Light& light) {
   LightsApart apart;
   Light none = light;
   none.suns.clear(), none.lamps.clear();
-  none.environment = nullptr, none.glowing = nullptr;
+  none.environment = nullptr, none.emitters = nullptr;
   none.environment_radiance = Rgb::Zero();
   if (light.environment) (apart.map = none)->environment = light.environment;
   if ((light.environment_radiance > 0.0F).any())
     (apart.sky = none)->environment_radiance = light.environment_radiance;
-  if (has_glow(light)) (apart.glowing = none)->glowing = light.glowing;
+  if (has_emitters(light)) (apart.emitters = none)->emitters = light.emitters;
   if (!light.lamps.empty()) (apart.lamps = none)->lamps = light.lamps;
   if (std::any_of(light.suns.begin(), light.suns.end(),
                   [](const Sun& sun) { return sun.angular_radius_rad > 0.0F; })) {
@@ -193,7 +194,8 @@ std::vector<NamedStrategy> strategies_of(const LightsApart& lights, bool glossy)
     const auto less = [&light](const SurfacePoint& point, const Eigen::Vector3f& direction) {
       return sky_found(light, point, direction);
     };
-    all.push_back({kind, "both", both(by_light_sample(light, GlowHits::found), sky_by_surface(light, less))});
+    all.push_back(
+        {kind, "both", both(by_light_sample(light, EmissionHits::found), sky_by_surface(light, less))});
   }
   if (lights.sky) {
     if (glossy) all.push_back({"sky", "cosine", sky_by_cosine(*lights.sky)});
@@ -213,18 +215,18 @@ std::vector<NamedStrategy> strategies_of(const LightsApart& lights, bool glossy)
       all.push_back({"suns", "both", both(suns_by_disc(light, SunHits::found), sky_by_surface(light, less))});
     }
   }
-  if (lights.glowing) {
-    const Light& light = *lights.glowing;
+  if (lights.emitters) {
+    const Light& light = *lights.emitters;
     const std::string kind = "glowing surfaces";
-    all.push_back({kind, "area", glow_by_area(light)});
-    all.push_back({kind, surface, glow_by_surface(light, false)});
+    all.push_back({kind, "area", emission_by_area(light)});
+    all.push_back({kind, surface, emission_by_surface(light, false)});
     all.push_back(
-        {kind, "both", both(by_light_sample(light, GlowHits::found), glow_by_surface(light, true))});
+        {kind, "both", both(by_light_sample(light, EmissionHits::found), emission_by_surface(light, true))});
   }
   if (lights.lamps) {
     all.push_back({"lamps", "one, evenly", lamp_chosen_evenly(*lights.lamps)});
     all.push_back({"lamps", "every one", every_lamp(*lights.lamps)});
-    all.push_back({"lamps", "one, by what it sends", by_light_sample(*lights.lamps, GlowHits::found)});
+    all.push_back({"lamps", "one, by what it sends", by_light_sample(*lights.lamps, EmissionHits::found)});
   }
   return all;
 }

@@ -15,7 +15,7 @@ namespace seamline::renderer {
 struct Asked {
   std::size_t pixel = 0;
   Ray ray;
-  /// Where nothing is in the way; and, of rays that look for what glows, what they weigh it by.
+  /// Where nothing is in the way; and, of rays that look for what emits, what they weigh it by.
   Rgb radiance = Rgb::Zero();
 };
 
@@ -24,9 +24,9 @@ struct RowQuestions {
   std::vector<Asked> past_everything;  ///< whether anything is in the way
   struct Found {
     Asked asked;
-    std::function<Rgb(const SurfacePoint& hit)> glow;
+    std::function<Rgb(const SurfacePoint& hit)> emission;
   };
-  std::vector<Found> what_glows;  ///< what is met
+  std::vector<Found> emission_questions;  ///< what is met
 };
 
 using Strategy = std::function<void(const SurfacePoint& point, const Sampler& sampler, std::size_t pixel,
@@ -38,7 +38,7 @@ struct NamedStrategy {
 
 /// Lights of a scene, each of one kind alone.
 struct LightsApart {
-  std::optional<Light> map, sky, glowing, lamps, suns;
+  std::optional<Light> map, sky, emitters, lamps, suns;
 };
 
 [[nodiscard]] LightsApart lights_apart(const Light& light);

@@ -93,8 +93,11 @@ class ObjectDrawing {
 
   [[nodiscard]] bool is_hidden(int x, int y, float planar_m) const {
     switch (pass_.occlusion) {
-      case Occlusion::none:
+      case Occlusion::nobody:
       case Occlusion::mesh:
+      case Occlusion::depth_buffer:
+      case Occlusion::mask:
+      case Occlusion::edges:
         return false;
       case Occlusion::depth_test:
         return sensors::hides(static_cast<double>(eye_.real.at(x, y)), static_cast<double>(planar_m),

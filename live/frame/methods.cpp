@@ -12,20 +12,6 @@ std::string_view word(Mapping mapping) {
   return {};
 }
 
-std::string_view word(Occlusion occlusion) {
-  switch (occlusion) {
-    case Occlusion::none:
-      return "none";
-    case Occlusion::mesh:
-      return "mesh";
-    case Occlusion::depth_test:
-      return "depth_test";
-    case Occlusion::ghosts:
-      return "ghosts";
-  }
-  return {};
-}
-
 std::string_view word(Shadows shadows) {
   switch (shadows) {
     case Shadows::none:

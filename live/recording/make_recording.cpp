@@ -30,7 +30,7 @@ std::array<double, 3> three(const Rgb& rgb) {
   return {static_cast<double>(rgb[0]), static_cast<double>(rgb[1]), static_cast<double>(rgb[2])};
 }
 
-/// The light of a scene in words of a recording. Surfaces that glow are left out: there is no word for them.
+/// The light of a scene in words of a recording. Surfaces that emit are left out: there is no word for them.
 SceneDefinition light_of(const renderer::Light& light, const SceneDefinition& definition,
                          const Eigen::Vector3d& centre_m) {
   SceneDefinition words;

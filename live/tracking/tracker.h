@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -14,7 +15,8 @@ namespace seamline::live {
 /// `features`: corners that are followed from picture to picture (paper 001, section 4.2); their places are
 /// those that depth gives, not triangulated ones.
 enum class Tracking { recorded, still, marker, features };
-inline constexpr int tracking_count = 4;
+inline constexpr std::array every_tracking = {Tracking::recorded, Tracking::still, Tracking::marker,
+                                              Tracking::features};
 [[nodiscard]] std::string_view word(Tracking tracking);
 
 /// Throws InputError, naming `field`, where the recording has no poses for `recorded`, or Seamline was built

@@ -22,9 +22,10 @@ constexpr int panel_width_px = 330, least_height_px = 560, widest_picture_px = 1
 constexpr double longest_wait_s = 0.1, type_px = 16, margin_px = 18;
 constexpr std::size_t frames_in_mean = 15;  ///< of the times on the screen, so that they can be read
 
-template <class Value>
-void go_on(Value& value, int count) {
-  value = static_cast<Value>((static_cast<int>(value) + 1) % count);
+template <class Values>
+void go_on(typename Values::value_type& value, const Values& every) {
+  const auto at = std::find(every.begin(), every.end(), value);
+  value = at == every.end() || at + 1 == every.end() ? every.front() : *(at + 1);
 }
 
 /// The window, its type, and where things are.
@@ -67,9 +68,9 @@ class LiveWindow {
     if (input.pressed(Key::letter) && !input.key->repeated) {
       const char letter = input.key->letter;
       if (letter == 'q') leaves_ = true;
-      if (letter == 'm') go_on(methods_.mapping, mapping_count);
-      if (letter == 'o') go_on(methods_.occlusion, occlusion_count);
-      if (letter == 's') go_on(methods_.shadows, shadows_count);
+      if (letter == 'm') go_on(methods_.mapping, every_mapping);
+      if (letter == 'o') go_on(methods_.occlusion, every_occlusion);
+      if (letter == 's') go_on(methods_.shadows, every_shadows);
       if (request_.physics && letter == 'd') session_.let_go(), redraws_ = true;
       if (request_.physics && letter == 'p')
         holds_bodies_ = !holds_bodies_, session_.hold_bodies(holds_bodies_), redraws_ = true;

@@ -52,10 +52,10 @@ inline constexpr int pixel = 0;
 [[nodiscard]] inline constexpr int lamp(int vertex) {
   return 4096 + 4 * vertex;
 }
-[[nodiscard]] inline constexpr int glow_choice(int vertex) {
+[[nodiscard]] inline constexpr int emission_choice(int vertex) {
   return 4097 + 4 * vertex;
 }
-[[nodiscard]] inline constexpr int glow(int vertex) {
+[[nodiscard]] inline constexpr int emission(int vertex) {
   return 4098 + 4 * vertex;
 }
 [[nodiscard]] inline constexpr int environment(int vertex) {

@@ -144,7 +144,7 @@ std::shared_ptr<const BrightPatches> find_bright_patches(const Light& light, con
 void add_bright_patches(std::span<const std::shared_ptr<const SurfaceMesh>> background,
                         const Geometry& everything, Light& light) {
   if (auto patches = find_bright_patches(light, everything))
-    light.glowing = std::make_shared<GlowingSurfaces>(background, std::move(patches));
+    light.emitters = std::make_shared<EmittingSurfaces>(background, std::move(patches));
 }
 
 PatchAim aim_at_patches(const BrightPatches& bright, const SurfacePoint& from) {

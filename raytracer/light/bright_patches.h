@@ -35,7 +35,7 @@ struct BrightPatches {
 [[nodiscard]] std::shared_ptr<const BrightPatches> find_bright_patches(const Light& light,
                                                                        const Geometry& everything);
 
-/// Gives a light the spots of its lamps, where there are any. `background`: as of `add_glowing`.
+/// Gives a light the spots of its lamps, where there are any. `background`: as of `add_emitters`.
 void add_bright_patches(std::span<const std::shared_ptr<const SurfaceMesh>> background,
                         const Geometry& everything, Light& light);
 

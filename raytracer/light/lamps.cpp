@@ -57,16 +57,16 @@ std::optional<ChosenLamp> choose_lamp(std::span<const Lamp> lamps, const Surface
   return choose_by(lamps, choice, [&](const Lamp& lamp) { return weight_at(lamp, point); });
 }
 
-GlowingSurfaces::GlowingSurfaces(std::span<const std::shared_ptr<const SurfaceMesh>> background,
-                                 std::shared_ptr<const BrightPatches> patches)
+EmittingSurfaces::EmittingSurfaces(std::span<const std::shared_ptr<const SurfaceMesh>> background,
+                                   std::shared_ptr<const BrightPatches> patches)
     : meshes_(background.begin(), background.end()),
       density_m2_(background.size()),
       patches_(std::move(patches)) {
   double sum = 0;
   for (std::size_t m = 0; m < meshes_.size(); ++m) {
     const SurfaceMesh& mesh = *meshes_[m];
-    const double glow = static_cast<double>(light_luminance(mesh.emission));
-    if (!(glow > 0)) continue;
+    const double emission = static_cast<double>(light_luminance(mesh.emission));
+    if (!(emission > 0)) continue;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       const auto& [a, b, c] = mesh.triangles[t];
       const Eigen::Vector3d first = mesh.positions_m[a].cast<double>();
@@ -75,7 +75,7 @@ GlowingSurfaces::GlowingSurfaces(std::span<const std::shared_ptr<const SurfaceMe
                                        .norm();
       if (!(area_m2 > 0)) continue;
       triangles_.push_back({static_cast<std::uint32_t>(m), static_cast<std::uint32_t>(t)});
-      shares_.push_back(sum += area_m2 * glow);
+      shares_.push_back(sum += area_m2 * emission);
     }
   }
   for (double& share : shares_) share /= sum;
@@ -84,7 +84,7 @@ GlowingSurfaces::GlowingSurfaces(std::span<const std::shared_ptr<const SurfaceMe
       density_m2_[m] = static_cast<float>(static_cast<double>(light_luminance(meshes_[m]->emission)) / sum);
 }
 
-GlowingSurfaces::Place GlowingSurfaces::sample(float choice, const Eigen::Array2f& point) const {
+EmittingSurfaces::Place EmittingSurfaces::sample(float choice, const Eigen::Array2f& point) const {
   const auto found = std::upper_bound(shares_.begin(), shares_.end(), static_cast<double>(choice));
   const auto index = std::min(static_cast<std::size_t>(found - shares_.begin()), triangles_.size() - 1);
   const SurfaceMesh& mesh = *meshes_[triangles_[index].mesh];

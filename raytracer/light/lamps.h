@@ -40,17 +40,17 @@ struct ChosenLamp {
 [[nodiscard]] std::optional<ChosenLamp> choose_lamp(std::span<const Lamp> lamps, const SurfacePoint& point,
                                                     float choice);
 
-/// The background's surfaces that glow, as lamps with size: light is sampled from their triangles in
+/// The background's surfaces that emit, as lamps with size: light is sampled from their triangles in
 /// proportion to area and luminance. Surfaces of virtual objects are none of them: whether they are there
 /// differs between the worlds of one path, and they are found by the rays that meet them.
 ///
 /// Beside them the spots that lamps without size light on surfaces close to them: those send light on and are
 /// no light samples, but paths look for them.
-class GlowingSurfaces {
+class EmittingSurfaces {
  public:
   /// Of a scene's background, in the order in which its meshes are in the scene's geometry.
-  explicit GlowingSurfaces(std::span<const std::shared_ptr<const SurfaceMesh>> background,
-                           std::shared_ptr<const BrightPatches> patches = nullptr);
+  explicit EmittingSurfaces(std::span<const std::shared_ptr<const SurfaceMesh>> background,
+                            std::shared_ptr<const BrightPatches> patches = nullptr);
 
   [[nodiscard]] bool empty() const { return triangles_.empty(); }
   [[nodiscard]] std::size_t triangles() const { return triangles_.size(); }
@@ -58,7 +58,7 @@ class GlowingSurfaces {
 
   struct Place {
     Eigen::Vector3f position_m;
-    Eigen::Vector3f normal;  ///< unit, either side: surfaces glow on both
+    Eigen::Vector3f normal;  ///< unit, either side: surfaces emit on both
     Rgb radiance;
     float density_m2;  ///< per square metre
   };
@@ -70,11 +70,11 @@ class GlowingSurfaces {
   }
 
  private:
-  struct GlowingTriangle {
+  struct EmittingTriangle {
     std::uint32_t mesh, triangle;
   };
   std::vector<std::shared_ptr<const SurfaceMesh>> meshes_;
-  std::vector<GlowingTriangle> triangles_;
+  std::vector<EmittingTriangle> triangles_;
   std::vector<double> shares_;     ///< cumulated over the triangles, ends at 1
   std::vector<float> density_m2_;  ///< of each mesh
   std::shared_ptr<const BrightPatches> patches_;

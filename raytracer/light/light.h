@@ -34,7 +34,7 @@ struct Light {
   /// scene find it there. Null: nothing hides the sky, or there is none.
   std::shared_ptr<const DirectionMap<Rgb>> hidden_sky = {};
   std::vector<Lamp> lamps = {};
-  std::shared_ptr<const GlowingSurfaces> glowing = {};  ///< null: no surface of the background glows
+  std::shared_ptr<const EmittingSurfaces> emitters = {};  ///< null: no surface of the background emits
   /// Rays for the environment end here: infinity, or the ambient-occlusion distance in metres.
   float sky_distance_m = std::numeric_limits<float>::infinity();
   int bounces = 4;                 ///< further scatterings after the first

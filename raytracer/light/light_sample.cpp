@@ -98,10 +98,11 @@ std::optional<LightSample> lamp_sample(const Light& light, const SurfacePoint& p
   return highlighted(direction, distance_m * before_lamp, *sent);
 }
 
-std::optional<LightSample> glow_sample(const Light& light, const SurfacePoint& point, const Rgb& throughput,
-                                       const Sampler& sampler, int vertex, GlowHits hits) {
-  const GlowingSurfaces::Place place = light.glowing->sample(sampler.point(dimension::glow_choice(vertex))[0],
-                                                             sampler.point(dimension::glow(vertex)));
+std::optional<LightSample> emission_sample(const Light& light, const SurfacePoint& point,
+                                           const Rgb& throughput, const Sampler& sampler, int vertex,
+                                           EmissionHits hits) {
+  const EmittingSurfaces::Place place = light.emitters->sample(
+      sampler.point(dimension::emission_choice(vertex))[0], sampler.point(dimension::emission(vertex)));
   const Eigen::Vector3f to_place = place.position_m - point.position_m;
   const float distance_m = to_place.norm();
   if (!(distance_m > 0.0F)) return std::nullopt;
@@ -110,8 +111,9 @@ std::optional<LightSample> glow_sample(const Light& light, const SurfacePoint& p
   if (!(facing > 0.0F)) return std::nullopt;
   const float density_sr = place.density_m2 * distance_m * distance_m / facing;
   if (!(density_sr > 0.0F)) return std::nullopt;
-  const float weight =
-      hits == GlowHits::found ? power_weight(density_sr, scatter_density_sr(light, point, direction)) : 1.0F;
+  const float weight = hits == EmissionHits::found
+                           ? power_weight(density_sr, scatter_density_sr(light, point, direction))
+                           : 1.0F;
   const auto sent = sent_on(point, throughput, place.radiance * (weight / density_sr), direction);
   if (!sent || !is_finite(*sent)) return std::nullopt;
   return LightSample{direction, distance_m * before_lamp, sent->diffuse, sent->specular};
@@ -194,14 +196,14 @@ std::optional<Scattered> scatter_with(const BrightPatches& bright, const PatchAi
 }  // namespace
 
 std::optional<Scattered> scatter(const Light& light, const SurfacePoint& from, const Eigen::Array2f& point) {
-  if (const BrightPatches* patches = light.glowing ? light.glowing->patches() : nullptr)
+  if (const BrightPatches* patches = light.emitters ? light.emitters->patches() : nullptr)
     if (const PatchAim aim = aim_at_patches(*patches, from); aim.sum > 0.0F)
       return scatter_with(*patches, aim, from, point);
   return scatter_by_surface(from, point);
 }
 
 float scatter_density_sr(const Light& light, const SurfacePoint& from, const Eigen::Vector3f& direction) {
-  if (const BrightPatches* patches = light.glowing ? light.glowing->patches() : nullptr)
+  if (const BrightPatches* patches = light.emitters ? light.emitters->patches() : nullptr)
     if (const PatchAim aim = aim_at_patches(*patches, from); aim.sum > 0.0F)
       return (1.0F - aim.sum) * scattered_by_surface(from, direction).density +
              patch_density_sr(*patches, aim, from, direction);
@@ -225,14 +227,15 @@ Rgb diffuse_weight(const SurfacePoint& from, const Eigen::Vector3f& direction) {
 
 std::optional<LightSample> light_sample(const Light& light, int number, const SurfacePoint& point,
                                         const Rgb& throughput, const Sampler& sampler, int vertex,
-                                        GlowHits hits, SunHits sun_hits) {
+                                        EmissionHits hits, SunHits sun_hits) {
   const auto suns = static_cast<int>(light.suns.size());
   if (number < suns)
     return sun_sample(light, light.suns[static_cast<std::size_t>(number)], point, throughput, sampler, vertex,
                       sun_hits);
   number -= suns;
   if (!light.lamps.empty() && number-- == 0) return lamp_sample(light, point, throughput, sampler, vertex);
-  if (has_glow(light) && number-- == 0) return glow_sample(light, point, throughput, sampler, vertex, hits);
+  if (has_emitters(light) && number-- == 0)
+    return emission_sample(light, point, throughput, sampler, vertex, hits);
   return map_sample(light, point, throughput, sampler, vertex);
 }
 
@@ -250,8 +253,8 @@ Rgb mirrored_suns_found(const Light& light, const SurfacePoint& from, const Eige
   return sum;
 }
 
-FoundGlow glow_found(const Light& light, const SurfacePoint& from, const Eigen::Vector3f& direction,
-                     const SurfacePoint& hit) {
+FoundEmission emission_found(const Light& light, const SurfacePoint& from, const Eigen::Vector3f& direction,
+                             const SurfacePoint& hit) {
   if (sends_photograph(light, hit)) {
     const Eigen::Vector3f from_origin = hit.position_m.normalized();
     const float chosen_sr = density_of_place(hit, from_origin, light.environment->density_sr(from_origin),
@@ -260,7 +263,7 @@ FoundGlow glow_found(const Light& light, const SurfacePoint& from, const Eigen::
                 power_weight(scatter_density_sr(light, from, direction), chosen_sr),
             true};
   }
-  const float density_m2 = has_glow(light) ? light.glowing->density_m2(hit) : 0.0F;
+  const float density_m2 = has_emitters(light) ? light.emitters->density_m2(hit) : 0.0F;
   if (!(density_m2 > 0.0F)) return {hit.emission, false};
   const float facing = std::max(1e-12F, std::abs(hit.geometric_normal.dot(direction)));
   const float density_sr = density_m2 * hit.distance_m * hit.distance_m / facing;

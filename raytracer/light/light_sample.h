@@ -57,21 +57,21 @@ struct LightSample {
   [[nodiscard]] Rgb total() const { return radiance + mirrored; }
 };
 
-/// Whether a surface of the background glows.
-[[nodiscard]] inline bool has_glow(const Light& light) {
-  return light.glowing != nullptr && !light.glowing->empty();
+/// Whether a surface of the background emits.
+[[nodiscard]] inline bool has_emitters(const Light& light) {
+  return light.emitters != nullptr && !light.emitters->empty();
 }
 
 /// Questions that every surface asks of its light: one of each sun, one of all lamps without size, one of the
-/// glowing surfaces, one of the environment's map. A scene that has none of a kind asks none of it.
+/// emitting surfaces, one of the environment's map. A scene that has none of a kind asks none of it.
 [[nodiscard]] inline int light_samples(const Light& light) {
-  return static_cast<int>(light.suns.size()) + (light.lamps.empty() ? 0 : 1) + (has_glow(light) ? 1 : 0) +
+  return static_cast<int>(light.suns.size()) + (light.lamps.empty() ? 0 : 1) + (has_emitters(light) ? 1 : 0) +
          (light.environment ? 1 : 0);
 }
 
-/// Whether the rays on which paths go on find the surfaces that glow: in the truth, and not in the depth
+/// Whether the rays on which paths go on find the surfaces that emit: in the truth, and not in the depth
 /// mesh, which knows nothing of them.
-enum class GlowHits { found, unknown };
+enum class EmissionHits { found, unknown };
 
 /// Whether they find the discs of suns with size, where they leave a mirror: seen in one whose lobe is
 /// narrower, a sun would be a few samples that are as much brighter than its disc.
@@ -85,12 +85,12 @@ enum class SunHits { found, unknown };
 }
 
 /// Question `number` of those. `throughput`: from the point to the camera, without the point's own albedo.
-/// Light that the paths that go on may find as well (the environment's map always, glowing surfaces with
-/// `GlowHits::found`, suns with `SunHits::found`) is weighted by the power heuristic (Veach and Guibas,
+/// Light that the paths that go on may find as well (the environment's map always, emitting surfaces with
+/// `EmissionHits::found`, suns with `SunHits::found`) is weighted by the power heuristic (Veach and Guibas,
 /// SIGGRAPH 1995). None when no light comes from there.
 [[nodiscard]] std::optional<LightSample> light_sample(const Light& light, int number,
                                                       const SurfacePoint& point, const Rgb& throughput,
-                                                      const Sampler& sampler, int vertex, GlowHits hits,
+                                                      const Sampler& sampler, int vertex, EmissionHits hits,
                                                       SunHits sun_hits = SunHits::unknown);
 
 /// The environment as found by a path that left `from` in a direction of `scatter`: its radiance, less what
@@ -108,14 +108,14 @@ enum class SunHits { found, unknown };
   return light.photographed != nullptr && hit.object_index == 0;
 }
 
-/// What a surface that such a path met glows, less what `light_sample` counts of it. `is_lamp`: whether it is
+/// What a surface that such a path met emits, less what `light_sample` counts of it. `is_lamp`: whether it is
 /// one of those that `light_sample` knows.
-struct FoundGlow {
+struct FoundEmission {
   Rgb radiance;
   bool is_lamp;
 };
-[[nodiscard]] FoundGlow glow_found(const Light& light, const SurfacePoint& from,
-                                   const Eigen::Vector3f& direction, const SurfacePoint& hit);
+[[nodiscard]] FoundEmission emission_found(const Light& light, const SurfacePoint& from,
+                                           const Eigen::Vector3f& direction, const SurfacePoint& hit);
 
 [[nodiscard]] Rgb mapped_sky_found(const Light& light, const SurfacePoint& from,
                                    const Eigen::Vector3f& direction);

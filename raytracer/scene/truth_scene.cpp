@@ -242,9 +242,9 @@ Camera scene_camera(const SceneDefinition& definition, const SceneFile& file, in
   return camera;
 }
 
-void add_glowing(std::span<const std::shared_ptr<const SurfaceMesh>> background, Light& light) {
-  auto glowing = std::make_shared<GlowingSurfaces>(background);
-  if (!glowing->empty()) light.glowing = std::move(glowing);
+void add_emitters(std::span<const std::shared_ptr<const SurfaceMesh>> background, Light& light) {
+  auto emitters = std::make_shared<EmittingSurfaces>(background);
+  if (!emitters->empty()) light.emitters = std::move(emitters);
 }
 
 Eigen::Affine3d standing_placement(const ObjectDefinition& object, const SceneFile& file,
@@ -301,7 +301,7 @@ TruthScene load_truth_scene(const SceneDefinition& definition, int width_px, int
   scene.background =
       place_meshes(background, Eigen::Affine3d::Identity(), scene.camera_position_m, definition.albedo, 0);
   if (!definition.ambient_occlusion) cut_where_lit(scene.background);
-  if (!definition.ambient_occlusion) add_glowing(scene.background, scene.light);
+  if (!definition.ambient_occlusion) add_emitters(scene.background, scene.light);
   scene.objects.resize(definition.objects.size());
   for (std::size_t i = 0; i < definition.objects.size(); ++i) {
     const ObjectDefinition& object = definition.objects[i];

@@ -53,8 +53,8 @@ struct TruthScene {
 [[nodiscard]] Light scene_light(const SceneDefinition& definition, const SceneFile& file,
                                 const Eigen::Vector3d& centre_m);
 
-/// Adds the surfaces of a background that glow.
-void add_glowing(std::span<const std::shared_ptr<const SurfaceMesh>> background, Light& light);
+/// Adds the surfaces of a background that emit.
+void add_emitters(std::span<const std::shared_ptr<const SurfaceMesh>> background, Light& light);
 
 /// The camera of the study file, else the scene file's first; position in `camera_position_m`.
 [[nodiscard]] Camera scene_camera(const SceneDefinition& definition, const SceneFile& file, int width_px,

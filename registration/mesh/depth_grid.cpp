@@ -42,7 +42,7 @@ struct DepthGrid::Edge {
 DepthGrid::DepthGrid(const sensors::DepthFrame& measured, const Eigen::Isometry3d& colour_from_depth,
                      const MeshRegistration& mesh, std::span<const std::uint8_t> invented)
     : width_px_(measured.camera.width_px), height_px_(measured.camera.height_px) {
-  if (mesh.jumps == Jumps::cut) largest_ratio_ = mesh.jump_ratio;
+  if (mesh.jumps != Jumps::stretch) largest_ratio_ = mesh.jump_ratio;
   const std::vector<Eigen::Vector3d> points_m =
       points_in_colour_frame(measured, colour_from_depth, mesh.threads);
   corners_.reserve(points_m.size());

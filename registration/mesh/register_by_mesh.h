@@ -2,18 +2,15 @@
 #include <string>
 
 #include "registration/frame/registered_frame.h"
+#include "sensors/frame/jumps.h"
 
 namespace seamline::registration {
 
-/// What the mesh does where neighbouring depths are far apart.
-enum class Jumps {
-  stretch,  ///< one sheet from the near thing to the far one (paper 000)
-  cut       ///< no triangle whose depths differ by more than `jump_ratio`: a hole opens instead
-};
+using sensors::Jumps;
 
 struct MeshRegistration {
-  Jumps jumps = Jumps::stretch;
-  double jump_ratio = 1.1;  ///< of the farthest to the nearest depth of a triangle; only of `cut`
+  Jumps jumps = Jumps::stretch;  ///< or `cut`, of triangles whose depths differ by more than `jump_ratio`
+  double jump_ratio = 1.1;       ///< of the farthest to the nearest depth of a triangle; only of `cut`
   /// Paper 000: how far the outermost depths are extended beyond the depth camera's picture, in its pixels,
   /// so that a colour camera that sees more finds something there; 0: not at all.
   int border_extrusion_px = 0;

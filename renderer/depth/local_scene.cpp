@@ -76,9 +76,8 @@ std::optional<OcclusionTest> occlusion_test(const DepthSettings& settings, const
                                             std::vector<DepthSight> sights) {
   if (sights.empty()) return std::nullopt;
   OcclusionTest test{.sights = std::move(sights), .forward = -photograph.axes.col(2)};
-  if (settings.chain)
-    if (const auto* buffer = std::get_if<sensors::DepthBuffer>(&settings.chain->occlusion))
-      test.buffer = *buffer;
+  if (settings.chain && settings.chain->occlusion == Occlusion::depth_buffer)
+    test.buffer = settings.chain->buffer;
   return test;
 }
 

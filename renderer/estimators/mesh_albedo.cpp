@@ -81,7 +81,7 @@ TexelLight light_in(const AlbedoMap& map, int column, int row, const Geometry& l
     if (!point) continue;
     SurfacePoint white = *point;
     white.albedo = Rgb::Ones();
-    const RadiancePair light = leaving_pair(local, nullptr, white, scene.light, sampler);
+    const RadiancePair light = radiance_with_and_without(local, nullptr, white, scene.light, sampler);
     sum.irradiance += light.without_object.total() * std::numbers::pi_v<float>;
     sum.radiance += Rgb(pixel[0], pixel[1], pixel[2]);
     ++samples;

@@ -37,7 +37,7 @@ struct PhotographedScene {
 /// bounce light included, traced with the usual albedo first and then once more with the first estimate.
 /// Clamped to `least_photographed_albedo` .. `most_photographed_albedo`. Texels that the photograph does not
 /// show, and those that get less than a fiftieth of the median irradiance, have the usual albedo: where the
-/// local scene is all but black the quotient says nothing. Every surface counts as diffuse, and what glows as
+/// local scene is all but black the quotient says nothing. Every surface counts as diffuse, and what emits as
 /// lit; a shadow that the local scene puts elsewhere than the photograph becomes paint. `local` is painted
 /// when it returns. The same for any number of threads.
 [[nodiscard]] std::shared_ptr<const AlbedoMap> paint_from_photograph(Geometry& local, int width_px,

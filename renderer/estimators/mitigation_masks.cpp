@@ -179,11 +179,11 @@ PixelLight light_at(const Geometry& local, const Light& light, const Camera& cam
   out.lit = arriving > 0.5F * out.suns;
   for (int sample = 0; sample < samples_a_pixel; ++sample) {
     const Sampler sampler(matte_seed, x, y, sample);
-    const Split found = leaving_pair(local, nullptr, *point, light, sampler).without_object;
+    const Split found = radiance_with_and_without(local, nullptr, *point, light, sampler).without_object;
     float suns = 0;  // of this very sample
     for (std::size_t number = 0; number < light.suns.size(); ++number) {
-      const auto sun =
-          light_sample(light, static_cast<int>(number), *point, Rgb::Ones(), sampler, 0, GlowHits::unknown);
+      const auto sun = light_sample(light, static_cast<int>(number), *point, Rgb::Ones(), sampler, 0,
+                                    EmissionHits::unknown);
       if (sun && !local.occluded(leaving_ray(*point, sun->direction, sun->far_m)))
         suns += sun->radiance.mean();
     }

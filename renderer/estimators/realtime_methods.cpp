@@ -134,7 +134,7 @@ DepthPicture drawn_depth(const Camera& camera, const LocalScene& local, int thre
 }  // namespace
 
 bool looks_at_triangles(const Pipeline& pipeline) {
-  return pipeline.occlusion == PipelineOcclusion::ghosts || pipeline.shadows == PipelineShadows::shadow_map ||
+  return pipeline.occlusion == Occlusion::ghosts || pipeline.shadows == PipelineShadows::shadow_map ||
          pipeline.normals == PipelineNormals::cross_products ||
          pipeline.normals == PipelineNormals::triangle_mean;
 }
@@ -173,7 +173,7 @@ void add_realtime_methods(const TruthScene& scene, const ObjectGeometry& geometr
     world->normals =
         draw_normals(view, span_of(local), of_vertices, drawn_depth(scene.camera, local, threads));
   }
-  if (pipeline.occlusion == PipelineOcclusion::ghosts)
+  if (pipeline.occlusion == Occlusion::ghosts)
     local.realtime_occlusion =
         OcclusionTest{.sights = {PictureSight{drawn_depth(scene.camera, local, threads), view}}};
   local.realtime = std::move(world);

@@ -20,7 +20,7 @@ Image photograph_along(const Geometry& scene, const Light& light, int width_px, 
     const Ray& ray = *found;
     const auto point = scene.nearest(ray);
     if (!point) return light.sky(ray.direction);
-    return leaving_pair(scene, nullptr, *point, light, sampler).without_object.total();
+    return radiance_with_and_without(scene, nullptr, *point, light, sampler).without_object.total();
   };
   parallel_for(
       height_px, options.threads,

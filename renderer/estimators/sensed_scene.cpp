@@ -17,7 +17,7 @@ SensedScene sensed_scene(const SceneFile& file, const SceneDefinition& definitio
   const Camera axes = scene_camera(definition, file, rig.colour.width_px, rig.colour.height_px, centre_m);
   const auto meshes = place_meshes(file, Eigen::Affine3d::Identity(), centre_m, definition.albedo, 0);
   Light light = scene_light(definition, file, centre_m);
-  add_glowing(meshes, light);
+  add_emitters(meshes, light);
   return {.centre_m = centre_m,
           .world_from_colour = world_from_photograph(axes),
           .truth = Geometry(meshes),

@@ -76,7 +76,7 @@ void StimulusSampler::look(std::span<const SampleId> ids, std::vector<StimulusSa
                             .real = real[i],
                             .object = object[i],
                             .depth = depth[i]};
-      if (realtime_ != nullptr) take_normals(sample);
+      if (realtime_ != nullptr) override_normals(sample);
       sample.covered_in_truth = sample.object && is_nearer(*sample.object, sample.real);
       sample.covered_in_depth = answers_.occlusion == Who::depth && sample.object &&
                                 is_in_front({depth_, occlusion_}, {rays[i].direction, place_of(sample)},
@@ -99,7 +99,7 @@ void StimulusSampler::even_out(StimulusSample& sample) const {
 }
 
 /// Gives the depth mesh's point the normal that a method says.
-void StimulusSampler::take_normals(StimulusSample& sample) const {
+void StimulusSampler::override_normals(StimulusSample& sample) const {
   if (!sample.depth) return;
   if (realtime_->pipeline.normals == PipelineNormals::truth && sample.real)
     sample.depth->normal = sample.real->normal;
@@ -147,8 +147,8 @@ Split StimulusSampler::object_in_truth(const StimulusSample& sample, SamplingWor
 }
 
 RadiancePair StimulusSampler::uncovered_in_truth(const StimulusSample& sample, SamplingWork& work) const {
-  return leaving_pair(geometry_.truth, &geometry_.object, *sample.real, scene_.light, sample.sampler,
-                      &work.counts_);
+  return radiance_with_and_without(geometry_.truth, &geometry_.object, *sample.real, scene_.light,
+                                   sample.sampler, &work.counts_);
 }
 
 void StimulusSampler::ask_depth(std::span<const StimulusSample> samples, std::vector<DepthLight>& lights,
@@ -188,7 +188,7 @@ void StimulusSampler::add_direct_on_object(std::span<const StimulusSample> sampl
       Who::depth, [](const StimulusSample&) { return true; },
       [](DepthLight& light) -> Rgb& { return light.object.direct; });
   answer(
-      Who::truth, [](const StimulusSample& sample) { return sample.beside_truth; },
+      Who::truth, [](const StimulusSample& sample) { return sample.is_paired_with_truth; },
       [](DepthLight& light) -> Rgb& { return light.object_in_truth; });
 }
 
@@ -274,9 +274,9 @@ void StimulusSampler::follow_paths(std::span<const StimulusSample> samples, std:
 void StimulusSampler::add_one_path(const StimulusSample& sample, DepthLight& out, SamplingWork& work) const {
   if (is_batched(sample)) return;
   if (sample.shows == StimulusSample::Shows::uncovered && answers_.bounce == Who::depth)
-    add_uncovered(
-        leaving_pair(*depth_, &geometry_.object, *sample.depth, scene_.light, sample.sampler, &work.counts_),
-        uncovered_is_one_path(), !is_dark_layer(), out);
+    add_uncovered(radiance_with_and_without(*depth_, &geometry_.object, *sample.depth, scene_.light,
+                                            sample.sampler, &work.counts_),
+                  uncovered_is_one_path(), !is_dark_layer(), out);
   if (sample.shows != StimulusSample::Shows::object) return;
   if (answers_.bounce == Who::truth && !is_glossy(scatterer(*sample.object))) return;
   const Split light = object_light(sample, answers_, work);

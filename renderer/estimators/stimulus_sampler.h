@@ -25,8 +25,8 @@ struct StimulusSample {
   std::optional<SurfacePoint> object;  ///< x_O, at any depth
   std::optional<SurfacePoint> depth;   ///< x_D
   bool covered_in_truth = false;
-  bool covered_in_depth = false;  ///< where the recipe asks depth who is in front
-  bool beside_truth = false;      ///< see DepthLight::object_in_truth
+  bool covered_in_depth = false;      ///< where the recipe asks depth who is in front
+  bool is_paired_with_truth = false;  ///< see DepthLight::object_in_truth
   enum class Shows { object, uncovered, sky, from_reference } shows = Shows::uncovered;
 };
 
@@ -42,8 +42,8 @@ struct LightSampling {
 struct DepthLight {
   Split without_object, with_object;  ///< off the object, without and with it
   Split object;                       ///< on the object
-  /// With `beside_truth`, the direct part of `object` as the truth answers it for the same sample: for most
-  /// it is the same.
+  /// With `is_paired_with_truth`, the direct part of `object` as the truth answers it for the same sample:
+  /// for most it is the same.
   Rgb object_in_truth = Rgb::Zero();
   float uncovered_surfaces = 0;  ///< 1 when these two count
   /// How far the first ray for bounce light got; infinity when it is not known.
@@ -153,7 +153,7 @@ class StimulusSampler {
     return methods_light() && answers_.object_lit == Who::depth;
   }
   void even_out(StimulusSample& sample) const;
-  void take_normals(StimulusSample& sample) const;
+  void override_normals(StimulusSample& sample) const;
   void add_direct_on_object(std::span<const StimulusSample> samples, std::span<DepthLight> lights,
                             SamplingWork& work) const;
   void add_direct_on_uncovered(std::span<const StimulusSample> samples, std::span<DepthLight> lights,

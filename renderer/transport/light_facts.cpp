@@ -13,7 +13,7 @@ LightFacts light_facts(const TruthScene& scene) {
                    .bounces = scene.light.bounces,
                    .suns = static_cast<int>(scene.light.suns.size()),
                    .lamps = static_cast<int>(scene.light.lamps.size()),
-                   .glowing_triangles = scene.light.glowing ? scene.light.glowing->triangles() : 0};
+                   .emitting_triangles = scene.light.emitters ? scene.light.emitters->triangles() : 0};
   const auto look = [&](const std::vector<std::shared_ptr<const SurfaceMesh>>& meshes) {
     for (const auto& mesh : meshes) {
       facts.brightest_albedo = std::max(facts.brightest_albedo, double{mesh->albedo.maxCoeff()});

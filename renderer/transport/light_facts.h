@@ -11,16 +11,16 @@ struct LightFacts {
   double brightest_albedo = 0;    ///< of background, objects and depth mesh, the largest channel
   double brightest_radiance = 0;  ///< sum of the suns' irradiance / pi, and the sky (of a map, all of it over
                                   ///< pi), the largest channel
-  bool emits = false;             ///< some surface glows
+  bool emits = false;             ///< some surface emits
   bool is_glossy = false;         ///< some surface has a specular layer
   bool sky_is_dark = false;
   bool sky_is_mapped = false;
   int bounces = 0;  ///< that the study asks for
   int suns = 0;
   int lamps = 0;
-  std::size_t glowing_triangles = 0;  ///< of the background
+  std::size_t emitting_triangles = 0;  ///< of the background
 };
-/// Whether nothing bounds how bright a bounce is: near lamps and what glows, and in what mirrors.
+/// Whether nothing bounds how bright a bounce is: near lamps and what emits, and in what mirrors.
 [[nodiscard]] inline bool is_unbounded(const LightFacts& facts) {
   return facts.emits || facts.lamps > 0 || facts.is_glossy;
 }

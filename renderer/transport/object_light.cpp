@@ -30,7 +30,7 @@ void direct_on_object(std::span<const ObjectPoint> points, const Geometry& objec
     for (int number = from; number < to; ++number)
       for (std::size_t i = 0; i < points.size(); ++i)
         if (const auto sample = light_sample(light, number, *points[i].point, Rgb::Ones(), points[i].sampler,
-                                             0, GlowHits::unknown, SunHits::found))
+                                             0, EmissionHits::unknown, SunHits::found))
           rays.add(*points[i].point, points[i].lit_past, sample->direction, sample->far_m,
                    {i, sample->radiance});
   };

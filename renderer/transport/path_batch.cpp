@@ -59,7 +59,7 @@ void PathBatch::find_points(int dimension) {
 
 /// One kind of light at all vertices: rays to a sun lie together.
 void PathBatch::add_light_sample(int number, int vertex) {
-  const GlowHits hits = worlds_->room->emits() ? GlowHits::found : GlowHits::unknown;
+  const EmissionHits hits = worlds_->room->emits() ? EmissionHits::found : EmissionHits::unknown;
   for (const Vertex& at : vertices_) {
     if (asks_sun_elsewhere(at, number, vertex)) continue;
     if (const auto from_light = light_sample(*light_, number, at.point, at.throughput,
@@ -199,8 +199,9 @@ void PathBatch::meet(const Vertex& from, WorldSet set, const Eigen::Vector3f& di
   if (vertex == 0 && (set & rules.reach_of) != 0)
     found_[from.path].reach_m = std::min(found_[from.path].reach_m, hit->distance_m);
   if (emits_) {
-    const FoundGlow glow = glow_found(*light_, from.point, direction, *hit);
-    add(from.path, set, sorted(from.path, glow.is_lamp && vertex == 0, from.throughput * glow.radiance));
+    const FoundEmission emission = emission_found(*light_, from.point, direction, *hit);
+    add(from.path, set,
+        sorted(from.path, emission.is_lamp && vertex == 0, from.throughput * emission.radiance));
   }
   if (vertex >= light_->bounces) return;
   if (sends_photograph(*light_, *hit)) {

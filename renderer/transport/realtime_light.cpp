@@ -26,9 +26,9 @@ std::optional<LightSample> ask(const RealtimeWorld& world, const Questions& ques
   const bool is_lamp = number >= questions.suns && number < questions.has_shape();
   if (is_lamp && questions.each_lamp)
     return light_sample(world.each_lamp[static_cast<std::size_t>(number - questions.suns)], 0, point,
-                        Rgb::Ones(), sampler, 0, GlowHits::unknown);
+                        Rgb::Ones(), sampler, 0, EmissionHits::unknown);
   if (number >= questions.has_shape()) number -= questions.lamps - (world.light.lamps.empty() ? 0 : 1);
-  return light_sample(world.light, number, point, Rgb::Ones(), sampler, 0, GlowHits::unknown);
+  return light_sample(world.light, number, point, Rgb::Ones(), sampler, 0, EmissionHits::unknown);
 }
 
 /// The map of a question's light; null where there is none.
@@ -131,7 +131,7 @@ class Uncovered {
   }
 
  private:
-  /// All light off the object past the field's object, whichever way it comes; what glows is not shaded.
+  /// All light off the object past the field's object, whichever way it comes; what emits is not shaded.
   void shade_by_field() {
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const SurfacePoint& receiver = *points_[i].receiver;

@@ -11,7 +11,7 @@ namespace seamline::renderer {
 /// Direct light as methods of real time find it, with the questions of the same points that are traced
 /// otherwise. Where the depth mesh answers questions 1 and 2 its maps do: the object's map at the receiver,
 /// the local scene's map at the mesh's own point; what the truth answers is traced. Lamps with a map are
-/// asked one by one. Sky, and what glows, are traced. `object` is asked where there is no map of it.
+/// asked one by one. Sky, and what emits, are traced. `object` is asked where there is no map of it.
 ///
 /// With occlusion fields all light of a receiver past the real world, however it comes, is multiplied with
 /// what the object's field leaves of it; on the object light is <l, t> of its own transfer and the local

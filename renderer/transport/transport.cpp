@@ -22,7 +22,9 @@ struct World {
     return real.occluded(ray, counts) || (object != nullptr && object->occluded(ray, counts));
   }
   [[nodiscard]] bool emits() const { return real.emits() || (object != nullptr && object->emits()); }
-  [[nodiscard]] GlowHits glow_hits() const { return real.emits() ? GlowHits::found : GlowHits::unknown; }
+  [[nodiscard]] EmissionHits emission_hits() const {
+    return real.emits() ? EmissionHits::found : EmissionHits::unknown;
+  }
   [[nodiscard]] std::optional<SurfacePoint> nearest(Ray ray) const {
     std::optional<SurfacePoint> hit = real.nearest(ray, counts);
     if (object == nullptr) return hit;
@@ -47,8 +49,8 @@ Rgb scattered(const World& world, SurfacePoint point, const Light& light, const 
   Rgb throughput = Rgb::Ones();
   for (;; ++vertex) {
     for (int number = 0; number < light_samples(light); ++number) {
-      const auto from_light =
-          light_sample(light, number, point, throughput, sampler, vertex, world.glow_hits(), SunHits::found);
+      const auto from_light = light_sample(light, number, point, throughput, sampler, vertex,
+                                           world.emission_hits(), SunHits::found);
       if (from_light && !world.occluded(leaving_ray(point, from_light->direction, from_light->far_m)))
         sum += from_light->total();
     }
@@ -62,7 +64,7 @@ Rgb scattered(const World& world, SurfacePoint point, const Light& light, const 
       return world.occluded(ray) ? sum : Rgb(sum + throughput * far_light(light, point, next->direction));
     const std::optional<SurfacePoint> hit = world.nearest(ray);
     if (!hit) return sum + throughput * far_light(light, point, next->direction);
-    sum += throughput * glow_found(light, point, next->direction, *hit).radiance;
+    sum += throughput * emission_found(light, point, next->direction, *hit).radiance;
     if (vertex >= light.bounces) return sum;
     if (sends_photograph(light, *hit))
       return sum + throughput * change_of_sent(world, *hit, light, sampler, vertex);
@@ -71,7 +73,7 @@ Rgb scattered(const World& world, SurfacePoint point, const Light& light, const 
   }
 }
 
-/// What arrives from a surface that a path hit at the end of vertex `vertex`, without what it glows itself.
+/// What arrives from a surface that a path hit at the end of vertex `vertex`, without what it emits itself.
 Rgb arriving(const World& world, SurfacePoint hit, float spread, const Light& light, const Sampler& sampler,
              int vertex) {
   if (vertex >= light.bounces) return Rgb::Zero();
@@ -90,8 +92,8 @@ Rgb change_of_sent(const World& world, const SurfacePoint& from, const Light& li
   ++vertex;
   Rgb change = Rgb::Zero();
   for (int number = 0; number < light_samples(light); ++number) {
-    const auto sample =
-        light_sample(light, number, from, Rgb::Ones(), sampler, vertex, world.glow_hits(), SunHits::found);
+    const auto sample = light_sample(light, number, from, Rgb::Ones(), sampler, vertex, world.emission_hits(),
+                                     SunHits::found);
     if (!sample) continue;
     const Ray ray = leaving_ray(from, sample->direction, sample->far_m);
     if (world.object->occluded(ray, world.counts) && !world.real.occluded(ray, world.counts))
@@ -104,9 +106,9 @@ Rgb change_of_sent(const World& world, const SurfacePoint& from, const Light& li
   if (!met) return change;
   const std::optional<SurfacePoint> behind = world.real.nearest(ray, world.counts);
   if (behind && behind->distance_m <= met->distance_m) return change;
-  const Rgb kept_away = behind ? glow_found(light, from, next->direction, *behind).radiance
+  const Rgb kept_away = behind ? emission_found(light, from, next->direction, *behind).radiance
                                : far_light(light, from, next->direction);
-  const Rgb sent = glow_found(light, from, next->direction, *met).radiance +
+  const Rgb sent = emission_found(light, from, next->direction, *met).radiance +
                    arriving(world, *met, next->spread, light, sampler, vertex);
   return change + next->weight * (sent - kept_away);
 }
@@ -156,8 +158,9 @@ class FoundLight {
 
 }  // namespace
 
-RadiancePair leaving_pair(const Geometry& real, const Geometry* object, const SurfacePoint& first,
-                          const Light& light, const Sampler& sampler, RayCounts* counts) {
+RadiancePair radiance_with_and_without(const Geometry& real, const Geometry* object,
+                                       const SurfacePoint& first, const Light& light, const Sampler& sampler,
+                                       RayCounts* counts) {
   RadiancePair pair;
   pair.without_object.direct = pair.with_object.direct = first.emission;
   const World world_without{real, nullptr, counts};
@@ -169,7 +172,7 @@ RadiancePair leaving_pair(const Geometry& real, const Geometry* object, const Su
   for (int vertex = 0;; ++vertex) {
     for (int number = 0; number < light_samples(light); ++number) {
       const auto from_light = light_sample(light, number, point, throughput, sampler, vertex,
-                                           world_with.glow_hits(), SunHits::found);
+                                           world_with.emission_hits(), SunHits::found);
       if (!from_light) continue;
       const Ray ray = leaving_ray(point, from_light->direction, from_light->far_m);
       if (real.occluded(ray, counts)) continue;
@@ -194,19 +197,19 @@ RadiancePair leaving_pair(const Geometry& real, const Geometry* object, const Su
     if (hit) ray.far_m = hit->distance_m;
     const std::optional<SurfacePoint> object_hit =
         object == nullptr ? std::nullopt : object->nearest(ray, counts);
-    const auto add_glow = [&](const SurfacePoint& glows, FoundLight& found) {
-      const FoundGlow glow = glow_found(light, point, next->direction, glows);
-      found.add(throughput * glow.radiance, glow.is_lamp && is_first);
+    const auto add_emission = [&](const SurfacePoint& emits, FoundLight& found) {
+      const FoundEmission emission = emission_found(light, point, next->direction, emits);
+      found.add(throughput * emission.radiance, emission.is_lamp && is_first);
     };
     if (object_hit) {  // here the two paths part
       if (hit) {
-        add_glow(*hit, without_object);
+        add_emission(*hit, without_object);
         without_object.add(throughput * arriving(world_without, *hit, next->spread, light, sampler, vertex),
                            false);
       } else {
         without_object.add_far(sky, suns, is_first);
       }
-      add_glow(*object_hit, with_object);
+      add_emission(*object_hit, with_object);
       with_object.add(throughput * arriving(world_with, *object_hit, next->spread, light, sampler, vertex),
                       false);
       return pair;
@@ -216,8 +219,8 @@ RadiancePair leaving_pair(const Geometry& real, const Geometry* object, const Su
       with_object.add_far(sky, suns, is_first);
       return pair;
     }
-    add_glow(*hit, without_object);
-    add_glow(*hit, with_object);
+    add_emission(*hit, without_object);
+    add_emission(*hit, with_object);
     if (vertex >= light.bounces) return pair;
     if (sends_photograph(light, *hit)) {
       with_object.add(throughput * change_of_sent(world_with, *hit, light, sampler, vertex), false);
@@ -270,13 +273,14 @@ class ObjectLight {
   }
   /// Whether paths that are asked so find lamps with size. Asked of two geometries, these are known by their
   /// light samples alone.
-  [[nodiscard]] GlowHits glow_hits(const RealQuestion& lit_past, const RealQuestion& by) const {
-    return same(lit_past, by) && bounces_matter(by) && emits(by) ? GlowHits::found : GlowHits::unknown;
+  [[nodiscard]] EmissionHits emission_hits(const RealQuestion& lit_past, const RealQuestion& by) const {
+    return same(lit_past, by) && bounces_matter(by) && emits(by) ? EmissionHits::found
+                                                                 : EmissionHits::unknown;
   }
 
   /// Calls `take` with every light sample that reaches the point past the object and past the real world.
   template <class Take>
-  void each_sample(const RealQuestion& lit_past, GlowHits hits, const Take& take) const {
+  void each_sample(const RealQuestion& lit_past, EmissionHits hits, const Take& take) const {
     for (int number = 0; number < light_samples(light_); ++number) {
       const auto sample =
           light_sample(light_, number, point_, Rgb::Ones(), sampler_, 0, hits, SunHits::found);
@@ -318,13 +322,14 @@ class ObjectLight {
     if (sky_reaches) find_far(direction, in);
     if (!object_first && !hit) return in;
     const SurfacePoint& first = object_first ? *object_hit : *hit;
-    const FoundGlow glow = sends_photograph(light_, first) && only_paths_find_photograph(by)
-                               ? FoundGlow{light_.environment->radiance(first.position_m.normalized()), true}
-                               : glow_found(light_, point_, direction, first);
-    if (!glow.is_lamp)
-      in.surfaces += glow.radiance;
-    else if (glow_hits(lit_past, by) == GlowHits::found)
-      in.lamps += glow.radiance;
+    const FoundEmission emission =
+        sends_photograph(light_, first) && only_paths_find_photograph(by)
+            ? FoundEmission{light_.environment->radiance(first.position_m.normalized()), true}
+            : emission_found(light_, point_, direction, first);
+    if (!emission.is_lamp)
+      in.surfaces += emission.radiance;
+    else if (emission_hits(lit_past, by) == EmissionHits::found)
+      in.lamps += emission.radiance;
     in.surfaces += arriving({*by.geometry, &object_, counts_}, first, spread, light_, sampler_, 0);
     return in;
   }
@@ -358,13 +363,14 @@ Split leaving_object(const ObjectQuestions& ask, const Geometry& object, const S
       is_mirror && !(same(ask.mirrored, ask.lit_past) && same(ask.mirrored, ask.bounced));
   Split out;
   out.direct = point.emission;
-  from.each_sample(ask.lit_past, from.glow_hits(ask.lit_past, ask.bounced), [&](const LightSample& sample) {
-    out.direct += sample.radiance;
-    if (!mirrors_apart) out.mirrored += sample.mirrored;
-  });
+  from.each_sample(ask.lit_past, from.emission_hits(ask.lit_past, ask.bounced),
+                   [&](const LightSample& sample) {
+                     out.direct += sample.radiance;
+                     if (!mirrors_apart) out.mirrored += sample.mirrored;
+                   });
   const bool asks_mirror_apart = mirrors_apart && ask.mirrored.geometry != nullptr;
   if (asks_mirror_apart)
-    from.each_sample(ask.mirrored, from.glow_hits(ask.mirrored, ask.mirrored),
+    from.each_sample(ask.mirrored, from.emission_hits(ask.mirrored, ask.mirrored),
                      [&](const LightSample& sample) { out.mirrored += sample.mirrored; });
   const auto sky_rays = static_cast<float>(light.sky_rays);
   for (int more = 1; more < light.sky_rays; ++more) {

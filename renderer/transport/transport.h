@@ -11,7 +11,7 @@ namespace seamline::renderer {
 struct Split {
   Rgb direct = Rgb::Zero();  ///< from sun and sky, and the point's own emission
   Rgb bounce = Rgb::Zero();  ///< from other surfaces: what may be filtered
-  /// Off the specular layer, from other surfaces, from the environment and from what glows: what is seen in
+  /// Off the specular layer, from other surfaces, from the environment and from what emits: what is seen in
   /// the surface as in a mirror. (Suns and lamps without size have highlights, which are direct.)
   Rgb mirrored = Rgb::Zero();
 
@@ -58,9 +58,9 @@ struct RealQuestion {
 
 /// Radiance that a point of the real world sends to the camera, without and with the object. `object` may be
 /// null: then both are the same. One sample; `sampler` fixes every random number.
-[[nodiscard]] RadiancePair leaving_pair(const Geometry& real, const Geometry* object,
-                                        const SurfacePoint& point, const Light& light, const Sampler& sampler,
-                                        RayCounts* counts = nullptr);
+[[nodiscard]] RadiancePair radiance_with_and_without(const Geometry& real, const Geometry* object,
+                                                     const SurfacePoint& point, const Light& light,
+                                                     const Sampler& sampler, RayCounts* counts = nullptr);
 
 /// What the object changes of the radiance that a surface of `Light::photographed` sends, which a path met at
 /// the end of its vertex number `vertex`: what it sends follows what it receives, times its albedo. One

@@ -36,7 +36,7 @@ SurfacePoint shaded_receiver(const UncoveredPoint& point) {
 /// One kind of light on one of many points.
 std::optional<LightSample> sample_of(const UncoveredPoint& point, const SurfacePoint& receiver,
                                      const Light& light, int number) {
-  return light_sample(light, number, receiver, Rgb::Ones(), point.sampler, 0, GlowHits::unknown);
+  return light_sample(light, number, receiver, Rgb::Ones(), point.sampler, 0, EmissionHits::unknown);
 }
 
 }  // namespace

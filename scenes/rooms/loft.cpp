@@ -92,7 +92,7 @@ void add_windows(Loft& loft, bool with_panes) {
                         {x_m, sill_m, z},
                         {x_m, lintel_m, z},
                         {x_m, lintel_m, z + window_width_m}}),
-               {0, 0, 0}, {.glow_w_m2_sr = {7.0, 7.6, 8.2}});
+               {0, 0, 0}, {.emission_w_m2_sr = {7.0, 7.6, 8.2}});
   }
   loft.add("window_bars", bars, {0.06, 0.06, 0.06}, {.roughness = 0.4, .metallic = 0});
 }

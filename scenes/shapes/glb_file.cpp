@@ -133,7 +133,7 @@ class Materials {
     tinygltf::Material material = diffuse(part.albedo, part.name);
     material.pbrMetallicRoughness.metallicFactor = wanted.metallic;
     material.pbrMetallicRoughness.roughnessFactor = wanted.roughness;
-    add_glow(material, wanted);
+    add_emission(material, wanted);
     if (!wanted.pattern.empty()) {
       const WrittenPattern& written = pattern(wanted.pattern);
       material.pbrMetallicRoughness.baseColorTexture.index = written.colour;
@@ -147,14 +147,14 @@ class Materials {
 
  private:
   static bool same(const SceneSurface& a, const SceneSurface& b) {
-    return a.roughness == b.roughness && a.metallic == b.metallic && a.glow_w_m2_sr == b.glow_w_m2_sr &&
-           a.pattern == b.pattern;
+    return a.roughness == b.roughness && a.metallic == b.metallic &&
+           a.emission_w_m2_sr == b.emission_w_m2_sr && a.pattern == b.pattern;
   }
-  void add_glow(tinygltf::Material& material, const SceneSurface& surface) {
-    const auto& glow = surface.glow_w_m2_sr;
-    const double strength = std::max({glow[0], glow[1], glow[2]});
+  void add_emission(tinygltf::Material& material, const SceneSurface& surface) {
+    const auto& emission = surface.emission_w_m2_sr;
+    const double strength = std::max({emission[0], emission[1], emission[2]});
     if (!(strength > 0)) return;
-    material.emissiveFactor = {glow[0] / strength, glow[1] / strength, glow[2] / strength};
+    material.emissiveFactor = {emission[0] / strength, emission[1] / strength, emission[2] / strength};
     material.extensions["KHR_materials_emissive_strength"] =
         tinygltf::Value(tinygltf::Value::Object{{"emissiveStrength", tinygltf::Value(strength)}});
     if (model_.extensionsUsed.empty() || model_.extensionsUsed.back() != "KHR_materials_emissive_strength")

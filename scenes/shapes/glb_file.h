@@ -13,7 +13,7 @@ namespace seamline::scenes {
 /// What a surface is beside its colour. As it stands: diffuse, dark, of one colour.
 struct SceneSurface {
   double roughness = 1, metallic = 0;
-  std::array<double, 3> glow_w_m2_sr = {0, 0, 0};
+  std::array<double, 3> emission_w_m2_sr = {0, 0, 0};
   std::string pattern = {};  ///< of `make_pattern`, whose colours the albedo multiplies; empty: none
   std::vector<Eigen::Vector2d> pattern_m = {};  ///< one a vertex: where it lies in the pattern's plane
 };

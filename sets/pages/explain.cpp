@@ -60,8 +60,8 @@ std::string light_text(const ScenePlan& plan) {
   if (light.lamps > 0) text += counted(light.lamps, "lamp", "lamps") + ", ";
   text += fmt::format("{}, {}{}.", sky, counted(plan.choices.bounces, "bounce", "bounces"),
                       light.emits ? ", surfaces that emit" : "");
-  if (light.glowing_triangles > 0)
-    text += fmt::format(" {} triangles of the background are sampled as lamps.", light.glowing_triangles);
+  if (light.emitting_triangles > 0)
+    text += fmt::format(" {} triangles of the background are sampled as lamps.", light.emitting_triangles);
   return text + fmt::format(" Surfaces reflect at most {:.2f} of it.\n", light.brightest_albedo);
 }
 

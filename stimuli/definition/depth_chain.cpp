@@ -15,10 +15,6 @@ int even(double value) {
 
 }  // namespace
 
-bool tests_pixels(const OcclusionMethod& occlusion) {
-  return !std::holds_alternative<MeshOcclusion>(occlusion);
-}
-
 bool is_panorama(const DepthChain& chain) {
   return std::holds_alternative<PanoramaSource>(chain.sources.front());
 }

@@ -13,8 +13,10 @@
 #include "sensors/files/depth_file.h"
 #include "sensors/files/estimated_depth.h"
 #include "sensors/frame/depth_test.h"
+#include "sensors/frame/jumps.h"
 #include "sensors/noise/measurement.h"
 #include "sensors/repair/repair.h"
+#include "stimuli/definition/methods/occlusion.h"
 
 namespace seamline::inline stimuli {
 
@@ -138,19 +140,7 @@ enum class Registration { none, points, mesh };
 /// light; or the photograph, in the sensor's pixels, as `seamline register` takes it.
 enum class RepairGuide { own_light, photograph };
 
-/// What the mesh does between neighbouring pixels whose distances differ by more than a ratio: a sheet, as in
-/// the paper; nothing; or nothing, with a second surface behind it, which the truth gives.
-enum class Jumps { stretch, cut, layer };
-
-/// Who is in front: the mesh, as everywhere else; a test a pixel of the depth in the photograph's camera, in
-/// metres (002 section 5); or the same test in the steps of a depth buffer (001 section 5.1).
-struct MeshOcclusion {
-  auto operator<=>(const MeshOcclusion&) const = default;
-};
-struct DepthTestOcclusion {
-  auto operator<=>(const DepthTestOcclusion&) const = default;
-};
-using OcclusionMethod = std::variant<MeshOcclusion, DepthTestOcclusion, sensors::DepthBuffer>;
+using sensors::Jumps;
 
 /// How depth is captured and what becomes of it: source -> repair -> registration -> local scene. Values that
 /// mean nothing beside the others have their defaults (`meaningful`), so that equal means the same.
@@ -162,9 +152,10 @@ struct DepthChain {
   Registration registration = Registration::none;
   int border_extrusion_px = 0;  ///< of registration by mesh
   Jumps jumps = Jumps::stretch;
-  double jump_ratio = 1.1;  ///< above 1
-  int layer_px = 16;        ///< how far behind an edge the second surface reaches, in pixels
-  OcclusionMethod occlusion = MeshOcclusion{};
+  double jump_ratio = 1.1;                ///< above 1
+  int layer_px = 16;                      ///< how far behind an edge the second surface reaches, in pixels
+  Occlusion occlusion = Occlusion::mesh;  ///< or by a test of pixels in the photograph's camera
+  sensors::DepthBuffer buffer = {};       ///< of `depth_buffer` only
   /// The sensor is believed to be where it is not: turned by this angle and moved by this distance, about an
   /// axis and in a direction that the seed draws (registration/pose/pose.h).
   double calibration_error_deg = 0;
@@ -188,11 +179,6 @@ struct DepthChain {
 [[nodiscard]] std::string_view word(const sensors::RepairMethod& repair);
 /// "generic", "time_of_flight", "structured_light".
 [[nodiscard]] std::string_view word(const sensors::NoiseModel& model);
-
-/// "mesh", "depth_test", "depth_buffer".
-[[nodiscard]] std::string_view word(const OcclusionMethod& occlusion);
-/// Whether pixels of the depth decide who is in front, and not the mesh.
-[[nodiscard]] bool tests_pixels(const OcclusionMethod& occlusion);
 
 [[nodiscard]] bool is_panorama(const DepthChain& chain);
 /// Whether all depth is that of the photograph's own place, so that its pixels can be compared with the

@@ -3,26 +3,17 @@
 #include <numbers>
 
 #include "stimuli/settings/depth_settings.h"
-#include "support/running/overloaded.h"
 
 // Depth chains as words for people.
 namespace seamline::inline stimuli {
 namespace {
 
 /// Who is in front, for people.
-std::string described(const OcclusionMethod& occlusion) {
-  return std::visit(
-      Overloaded{
-          [](const MeshOcclusion&) -> std::string { return "by the mesh"; },
-          [](const DepthTestOcclusion&) -> std::string {
-            return "depth test a pixel, in metres, linear between pixels";
-          },
-          [](const sensors::DepthBuffer& buffer) {
-            return fmt::format(
-                "depth test a pixel, in a buffer of {} bits between {} and {} m, linear between pixels",
-                buffer.bits, buffer.nearest_m, buffer.farthest_m);
-          }},
-      occlusion);
+std::string described_occlusion(const DepthChain& chain) {
+  if (chain.occlusion == Occlusion::depth_test) return "depth test a pixel, in metres, linear between pixels";
+  if (chain.occlusion != Occlusion::depth_buffer) return "by the mesh";
+  return fmt::format("depth test a pixel, in a buffer of {} bits between {} and {} m, linear between pixels",
+                     chain.buffer.bits, chain.buffer.nearest_m, chain.buffer.farthest_m);
 }
 
 /// How an estimate becomes distances, for people.
@@ -103,7 +94,7 @@ DepthLinks depth_links(const std::optional<DepthChain>& given, int panorama_widt
                                      chain.jump_ratio, chain.layer_px));
       break;
   }
-  links.emplace_back("occlusion", described(chain.occlusion));
+  links.emplace_back("occlusion", described_occlusion(chain));
   const bool exact = chain.calibration_error_deg == 0 && chain.calibration_error_m == 0;
   links.emplace_back("calibration error", exact ? "none"
                                                 : fmt::format("{} degrees, {} m", chain.calibration_error_deg,

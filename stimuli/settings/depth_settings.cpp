@@ -97,6 +97,16 @@ std::string fault_of_block(const StereoSource& stereo) {
   return stereo.block_px % 2 == 1 ? "" : "an odd number";
 }
 
+void choose_occlusion(DepthChain& chain, std::size_t place) {
+  const auto chosen = static_cast<Occlusion>(place);
+  if (chosen != chain.occlusion) chain.buffer = {};
+  chain.occlusion = chosen;
+}
+
+std::string buffer_text(const DepthChain& chain) {
+  return chain.occlusion == Occlusion::depth_buffer ? settings_text(chain.buffer) : std::string();
+}
+
 std::string_view word(Reduction reduction) {
   return word_of(reduction);
 }
@@ -108,9 +118,6 @@ std::string_view word(Registration registration) {
 }
 std::string_view word(Jumps jumps) {
   return word_of(jumps);
-}
-std::string_view word(const OcclusionMethod& occlusion) {
-  return word_of(occlusion);
 }
 std::string_view word(const sensors::RepairMethod& repair) {
   return word_of(repair);

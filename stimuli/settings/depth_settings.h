@@ -19,9 +19,12 @@ template <>
 inline constexpr std::array<std::string_view, 3> words_of<Registration> = {"none", "points", "mesh"};
 template <>
 inline constexpr std::array<std::string_view, 3> words_of<Jumps> = {"stretch", "cut", "layer"};
-template <>
-inline constexpr std::array<std::string_view, 3> words_of<OcclusionMethod> = {"mesh", "depth_test",
-                                                                              "depth_buffer"};
+inline constexpr std::array<std::string_view, 3> words_of_depth_occlusion = {"mesh", "depth_test",
+                                                                             "depth_buffer"};
+
+/// A word that is another than before begins with a buffer of its own.
+void choose_occlusion(DepthChain& chain, std::size_t place);
+[[nodiscard]] std::string buffer_text(const DepthChain& chain);
 
 [[nodiscard]] std::string fault_of_far_plane(const sensors::DepthBuffer& buffer);
 [[nodiscard]] std::string fault_of_jump_ratio(const DepthChain& chain);
@@ -356,7 +359,10 @@ inline constexpr auto settings_of<DepthChain> = std::to_array<Setting<DepthChain
      .meaning = "Repairs the registered picture and not the sensor's.",
      .wording = {.before = "; repair after registration", .written = Written::where_unusual, .yes = ""}},
     {.key = "occlusion",
-     .slot = choice<&DepthChain::occlusion, true>(),
+     .slot = Choice<DepthChain>{.words = words_of_depth_occlusion,
+                                .place = [](const DepthChain& chain) { return place_of(chain.occlusion); },
+                                .choose = choose_occlusion,
+                                .parameters = buffer_text},
      .meaning = "Who is in front: the mesh, or a test a pixel of depth against the object's. A sensor beside "
                 "the photograph needs a registration for a test.",
      .wording = {.before = "; occlusion ", .written = Written::where_unusual}},

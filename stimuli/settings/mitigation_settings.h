@@ -4,8 +4,7 @@
 
 namespace seamline::inline stimuli {
 
-template <>
-inline constexpr std::array<std::string_view, 3> words_of<OcclusionMitigation> = {"none", "mask", "edges"};
+inline constexpr std::array<std::string_view, 3> words_of_occlusion_mitigation = {"none", "mask", "edges"};
 template <>
 inline constexpr std::array<std::string_view, 3> words_of<ShadowMitigation> = {"none", "matte", "detected"};
 template <>
@@ -18,7 +17,8 @@ inline constexpr std::array<std::string_view, 2> words_of<Blockers> = {"sheets",
 template <>
 inline constexpr auto settings_of<Mitigation> = std::to_array<Setting<Mitigation>>({
     {.key = "occlusion",
-     .slot = choice<&Mitigation::occlusion>(),
+     .slot = one_of<&Mitigation::occlusion, Occlusion::mesh, Occlusion::mask, Occlusion::edges>(
+         words_of_occlusion_mitigation),
      .meaning = "Who is in front: the depth mesh; a painted mask; the mesh's outlines moved onto the "
                 "photograph's edges.",
      .wording = {.before = ", occlusion ", .written = Written::where_unusual}},

@@ -59,14 +59,24 @@ template <auto member, bool keeps = false>
   return made;
 }
 
-/// The choice that a member with two values holds, and the word of each: `{"loop", "once"}`.
-template <auto member, auto first, auto second>
-[[nodiscard]] constexpr auto either(std::span<const std::string_view> words) {
+/// The choice of a member among some of its values, each with a word: `{"loop", "once"}` of a boolean.
+template <auto member, auto... values>
+[[nodiscard]] constexpr auto one_of(std::span<const std::string_view> words) {
   using Owner = typename settings::MemberOf<member>::Owner;
-  return Choice<Owner>{
-      .words = words,
-      .place = [](const Owner& owner) { return owner.*member == first ? std::size_t{0} : std::size_t{1}; },
-      .choose = [](Owner& owner, std::size_t place) { owner.*member = place == 0 ? first : second; }};
+  using Value = typename settings::MemberOf<member>::Value;
+  return Choice<Owner>{.words = words,
+                       .place =
+                           [](const Owner& owner) {
+                             constexpr std::array<Value, sizeof...(values)> all = {values...};
+                             std::size_t place = 0;
+                             while (place + 1 < all.size() && all[place] != owner.*member) ++place;
+                             return place;
+                           },
+                       .choose =
+                           [](Owner& owner, std::size_t place) {
+                             constexpr std::array<Value, sizeof...(values)> all = {values...};
+                             owner.*member = all.at(place);
+                           }};
 }
 
 /// The settings of a member that is a struct.

@@ -39,8 +39,8 @@ void require_something_to_repair(const TomlTable& table, const DepthChain& chain
 
 /// The settings of a depth buffer stand in the same table.
 void read_buffer(const TomlTable& table, DepthChain& chain) {
-  if (auto* buffer = std::get_if<sensors::DepthBuffer>(&chain.occlusion))
-    read_settings(table, *buffer);
+  if (chain.occlusion == Occlusion::depth_buffer)
+    read_settings(table, chain.buffer);
   else
     refuse_settings<sensors::DepthBuffer>(table, "occlusion = \"depth_buffer\"",
                                           fmt::format("occlusion = \"{}\"", word(chain.occlusion)));

@@ -33,7 +33,7 @@ void check_mitigations_are_seen(const TomlTable& study_table, const StudyDefinit
   for (const ConditionDefinition& condition : list_conditions(study)) {
     const Mitigation& one = condition.depth.mitigation;
     const std::string where = condition.name.empty() ? "the study" : "the condition " + condition.name;
-    if (one.occlusion != OcclusionMitigation::none && !asks(condition, Artifact::occlusion))
+    if (one.occlusion != Occlusion::mesh && !asks(condition, Artifact::occlusion))
       throw study_table.complaint("mitigation.occlusion",
                                   "an artifact occlusion or all, or isolation = \"mask\": no other asks the "
                                   "depth mesh who is in front",
@@ -44,7 +44,7 @@ void check_mitigations_are_seen(const TomlTable& study_table, const StudyDefinit
           "an artifact overlap or all, or isolation = \"mask\": no other asks the depth mesh whether real "
           "surfaces are lit",
           "none in " + where);
-    if (one.occlusion != OcclusionMitigation::none && condition.depth.chain &&
+    if (one.occlusion != Occlusion::mesh && condition.depth.chain &&
         tests_pixels(condition.depth.chain->occlusion))
       throw study_table.complaint("mitigation.occlusion", "depth.occlusion = \"mesh\" beside it",
                                   "a depth test in " + where);

@@ -33,7 +33,7 @@ class SeenMethods {
 
   void check() const {
     using enum Artifact;
-    if (pipeline_.occlusion != PipelineOcclusion::mesh) check_occlusion();
+    if (pipeline_.occlusion != Occlusion::mesh) check_occlusion();
     if (pipeline_.shadows != PipelineShadows::traced) check_shadows();
     if (pipeline_.normals != PipelineNormals::mesh)
       require("normals", {receiver, bounce}, "receiver, bounce or all",
@@ -59,13 +59,12 @@ class SeenMethods {
   void check_occlusion() const {
     require("occlusion", {Artifact::occlusion}, "occlusion or all",
             "no other asks the depth mesh who is in front");
-    if (condition_.depth.mitigation.occlusion != OcclusionMitigation::none)
+    if (condition_.depth.mitigation.occlusion != Occlusion::mesh)
       complain("occlusion", "\"mesh\" beside a mitigation of occlusion, which answers instead", "another");
     if (!condition_.depth.chain) return;
     if (tests_pixels(condition_.depth.chain->occlusion))
       complain("occlusion", "\"mesh\" beside a depth test of [depth], which answers instead", "another");
-    if (pipeline_.occlusion == PipelineOcclusion::depth_test &&
-        !is_in_photographs_place(*condition_.depth.chain))
+    if (pipeline_.occlusion == Occlusion::depth_test && !is_in_photographs_place(*condition_.depth.chain))
       complain("occlusion",
                "\"mesh\" or \"ghosts\", or depth.registration = \"points\" or \"mesh\": a pixel's depth is "
                "compared in the photograph",

@@ -70,11 +70,11 @@ class SoundView {
                "\"" + found + "\"");
     };
     if (depth.albedo == MeshAlbedo::photograph) refuse("mesh_albedo", "photograph");
-    if (depth.mitigation.occlusion != OcclusionMitigation::none)
+    if (depth.mitigation.occlusion != Occlusion::mesh)
       refuse("mitigation.occlusion", std::string(word(depth.mitigation.occlusion)));
     if (depth.mitigation.shadow != ShadowMitigation::none)
       refuse("mitigation.shadow", std::string(word(depth.mitigation.shadow)));
-    if (depth.pipeline.occlusion != PipelineOcclusion::mesh)
+    if (depth.pipeline.occlusion != Occlusion::mesh)
       refuse("pipeline.occlusion", std::string(word(depth.pipeline.occlusion)));
     if (depth.pipeline.normals == PipelineNormals::cross_products)
       refuse("pipeline.normals", std::string(word(depth.pipeline.normals)));

@@ -148,7 +148,7 @@ TEST(LivePipeline, AllWaysOfOcclusionAgreeOnExactDepth) {
         .covered;
   };
   const auto test = covered(Occlusion::depth_test), mesh = covered(Occlusion::mesh),
-             ghosts = covered(Occlusion::ghosts), none = covered(Occlusion::none);
+             ghosts = covered(Occlusion::ghosts), none = covered(Occlusion::nobody);
   EXPECT_EQ(test, ghosts) << "the local scene is drawn once";
   int differ = 0, hidden = 0;
   for (std::size_t i = 0; i < test.size(); ++i) {

@@ -81,7 +81,8 @@ TEST(RealFrames, HidePartOfAVirtualBoxAndTakeItsShadow) {
     };
     const auto with_test = covered();
     const auto alone = [&] {
-      (void)pipeline.compose(recording.frames[0], first, {.mapping = mapping, .occlusion = Occlusion::none});
+      (void)pipeline.compose(recording.frames[0], first,
+                             {.mapping = mapping, .occlusion = Occlusion::nobody});
       return covered();
     }();
     EXPECT_GT(with_test, 500);

@@ -94,13 +94,13 @@ TEST(BrightPatches, ChangeNoLightAndTakeAwayItsNoise) {
     for (const float height_m : {0.03F, 0.3F}) {
       const Light plain = lamp_at(height_m);
       Light aimed = plain;
-      aimed.glowing = std::make_shared<GlowingSurfaces>(Meshes{}, find_bright_patches(plain, everything));
-      ASSERT_TRUE(aimed.glowing->patches());
+      aimed.emitters = std::make_shared<EmittingSurfaces>(Meshes{}, find_bright_patches(plain, everything));
+      ASSERT_TRUE(aimed.emitters->patches());
       const auto bounced = [&](const Light& light, int samples) {
         return sample_mean(samples, [&](int i) {
-          const Split sent =
-              leaving_pair(everything, nullptr, hanging_point(glossy), light, Sampler(3, i, 0, 0))
-                  .without_object;
+          const Split sent = radiance_with_and_without(everything, nullptr, hanging_point(glossy), light,
+                                                       Sampler(3, i, 0, 0))
+                                 .without_object;
           return double{sent.bounce[1] + sent.mirrored[1]};
         });
       };
@@ -123,10 +123,11 @@ TEST(BrightPatches, ChangeNoLightOfASkyOrAMapEither) {
       light.environment_radiance = Rgb::Zero();
       light.environment = std::make_shared<EnvironmentMap>(Image(16, 8, 3, 2.5F), 0.0F);
     }
-    light.glowing = std::make_shared<GlowingSurfaces>(Meshes{}, patches);
+    light.emitters = std::make_shared<EmittingSurfaces>(Meshes{}, patches);
     const SampleMean sent = sample_mean(20000, [&](int i) {
-      return double{leaving_pair(nothing, nullptr, hanging_point(false), light, Sampler(7, i, 0, 0))
-                        .without_object.total()[1]};
+      return double{
+          radiance_with_and_without(nothing, nullptr, hanging_point(false), light, Sampler(7, i, 0, 0))
+              .without_object.total()[1]};
     });
     EXPECT_NEAR(sent.mean, 0.6 * 2.5, 4 * sent.standard_error + 2e-3) << is_mapped;
   }

@@ -21,7 +21,7 @@ class ClippedRoom {
   ClippedRoom(float albedo, float radiance)
       : truth_(std::span<const std::shared_ptr<const SurfaceMesh>>(parts(albedo, radiance))) {
     Light lit;
-    lit.glowing = std::make_shared<GlowingSurfaces>(parts(albedo, radiance));
+    lit.emitters = std::make_shared<EmittingSurfaces>(parts(albedo, radiance));
     lit.bounces = 12;
     for (int y = 0; y < panorama_.height_px; ++y)
       for (int x = 0; x < panorama_.width_px; ++x) {
@@ -31,8 +31,9 @@ class ClippedRoom {
         Rgb sum = Rgb::Zero();
         constexpr int samples = 64;
         for (int i = 0; i < samples; ++i)
-          sum +=
-              leaving_pair(truth_, nullptr, *hit, lit, Sampler(1, x, y, i)).without_object.total() / samples;
+          sum += radiance_with_and_without(truth_, nullptr, *hit, lit, Sampler(1, x, y, i))
+                     .without_object.total() /
+                 samples;
         panorama_.set_rgb(x, y, sum.min(1.0F));
       }
     local_.emplace(build_depth_mesh(capture_depth(truth_, 1024, 0, 2), {.threads = 2}), Rgb::Constant(0.5F));

@@ -73,9 +73,12 @@ TEST_F(SmallSubject, CoupledIsTwoRenderingsThatShareTheirSamplePoints) {
       const auto point = without.nearest(camera_ray(camera, x, y, sampler));
       if (!point) continue;
       const Light& light = subject_.scene.light;
-      const RadiancePair pair = leaving_pair(without, &subject_.geometry.object, *point, light, sampler);
-      const Rgb alone = leaving_pair(without, nullptr, *point, light, sampler).without_object.total();
-      const Rgb together = leaving_pair(with, nullptr, *point, light, sampler).without_object.total();
+      const RadiancePair pair =
+          radiance_with_and_without(without, &subject_.geometry.object, *point, light, sampler);
+      const Rgb alone =
+          radiance_with_and_without(without, nullptr, *point, light, sampler).without_object.total();
+      const Rgb together =
+          radiance_with_and_without(with, nullptr, *point, light, sampler).without_object.total();
       EXPECT_LT((pair.without_object.total() - alone).abs().maxCoeff(), 1e-6F);
       difference += static_cast<double>((pair.with_object.total() - together).abs().maxCoeff());
       sum += static_cast<double>(together.maxCoeff());

@@ -53,10 +53,11 @@ TEST(HiddenSky, ASkyOfOneRadianceLightsEveryPlaceOfARoomAsInTheRoomItself) {
       ASSERT_TRUE(point);
       point->albedo = Rgb::Ones();
       for (int i = 0; i < 4096; ++i)
-        sent[is_photograph ? 1U : 0U] += leaving_pair(is_photograph ? *local : truth, nullptr, *point,
-                                                      is_photograph ? photographed : sky, Sampler(1, 0, 0, i))
-                                             .without_object.total()[1] /
-                                         4096;
+        sent[is_photograph ? 1U : 0U] +=
+            radiance_with_and_without(is_photograph ? *local : truth, nullptr, *point,
+                                      is_photograph ? photographed : sky, Sampler(1, 0, 0, i))
+                .without_object.total()[1] /
+            4096;
     }
     EXPECT_NEAR(sent[1] / sent[0], 1, 0.03) << x_m << " " << z_m;
   }

@@ -1,4 +1,4 @@
-// Laws of lamps, glowing surfaces and environment maps: what is sampled is what is there.
+// Laws of lamps, emitting surfaces and environment maps: what is sampled is what is there.
 #include "raytracer/light/light_sample.h"
 
 #include <gtest/gtest.h>
@@ -144,7 +144,7 @@ TEST(EnvironmentMap, LightsAPlaneAsBruteForceDoesByEachStrategyAloneAndByBoth) {
     return double{map.radiance(scatter(light, point, sampler.point(6))->direction)[1]};
   };
   const auto by_both = [&](const Sampler& sampler) {
-    const auto sample = light_sample(light, 0, point, Rgb::Ones(), sampler, 0, GlowHits::found);
+    const auto sample = light_sample(light, 0, point, Rgb::Ones(), sampler, 0, EmissionHits::found);
     const auto next = scatter(light, point, sampler.point(6));
     return double{(sample ? sample->radiance[1] : 0.0F) + sky_found(light, point, next->direction)[1]};
   };
@@ -165,7 +165,8 @@ TEST(EnvironmentMap, ConstantMapGivesWhatTheConstantEnvironmentGives) {
   light.environment = std::make_shared<EnvironmentMap>(Image(16, 8, 3, 2.5F), 0.0F);
   const auto hit = ball.nearest({Eigen::Vector3f::Zero(), Eigen::Vector3f(0.05F, 0.05F, -1).normalized()});
   const SampleMean found = sample_mean(20000, [&](int i) {
-    return double{leaving_pair(ball, nullptr, *hit, light, Sampler(7, i, 0, 0)).without_object.total()[1]};
+    return double{
+        radiance_with_and_without(ball, nullptr, *hit, light, Sampler(7, i, 0, 0)).without_object.total()[1]};
   });
   EXPECT_NEAR(found.mean, 1.0, 4 * found.standard_error + 1e-3);
 }
@@ -180,7 +181,7 @@ SampleMean sun_in_a_mirror(Light light, float alpha, bool paths_look) {
   light.suns[0].to_sun = Eigen::Vector3f(0.6F, 0.8F, 0);
   return sample_mean(100000, [&](int i) {
     const Sampler sampler(9, i, 0, 0);
-    const auto sample = light_sample(light, 0, mirror, Rgb::Ones(), sampler, 0, GlowHits::unknown,
+    const auto sample = light_sample(light, 0, mirror, Rgb::Ones(), sampler, 0, EmissionHits::unknown,
                                      paths_look ? SunHits::found : SunHits::unknown);
     const auto next = scatter(light, mirror, sampler.point(dimension::direction(0)));
     const Rgb found =
@@ -230,7 +231,7 @@ TEST(Lamps, ShineByTheInverseSquareAndTheCosine) {
   Light light;
   light.lamps.push_back({.position_m = Eigen::Vector3f(0.2F, 2, 0.7F), .intensity_w_sr = {5, 6, 7}});
   const auto sample =
-      light_sample(light, 0, floor_point(), Rgb::Ones(), Sampler(1, 2, 3, 0), 0, GlowHits::found);
+      light_sample(light, 0, floor_point(), Rgb::Ones(), Sampler(1, 2, 3, 0), 0, EmissionHits::found);
   ASSERT_TRUE(sample);
   const double distance = std::sqrt(4 + 1), cosine = 2 / distance;
   EXPECT_NEAR(sample->radiance[1], 0.5 / pi * 6 * cosine / (distance * distance), 1e-5);
@@ -267,19 +268,21 @@ TEST(Lamps, SeveralGiveTheSumOfEach) {
     Light light;
     for (const Lamp& lamp : lamps) {
       light.lamps = {lamp};
-      const auto one = light_sample(light, 0, point, Rgb::Ones(), Sampler(1, 0, 0, 0), 0, GlowHits::found);
+      const auto one =
+          light_sample(light, 0, point, Rgb::Ones(), Sampler(1, 0, 0, 0), 0, EmissionHits::found);
       wanted += one ? double{one->radiance[0]} : 0;
     }
     light.lamps = lamps;
     const SampleMean found = sample_mean(20000, [&](int i) {
-      const auto one = light_sample(light, 0, point, Rgb::Ones(), Sampler(5, i, 0, 0), 0, GlowHits::found);
+      const auto one =
+          light_sample(light, 0, point, Rgb::Ones(), Sampler(5, i, 0, 0), 0, EmissionHits::found);
       return one ? double{one->radiance[0]} : 0.0;
     });
     EXPECT_NEAR(found.mean, wanted, 4 * found.standard_error + 1e-5 * wanted) << count;
   }
 }
 
-/// A floor under a glowing square, each of whose estimates may be asked for light samples or hits alone.
+/// A floor under a emitting square, each of whose estimates may be asked for light samples or hits alone.
 struct GlowingRoom {
   std::vector<std::shared_ptr<const SurfaceMesh>> meshes;
   Light light;
@@ -293,11 +296,11 @@ struct GlowingRoom {
     square->emission = Rgb(3, 2, 1);
     meshes.push_back(square);
     light.bounces = 0;
-    light.glowing = std::make_shared<GlowingSurfaces>(meshes);
+    light.emitters = std::make_shared<EmittingSurfaces>(meshes);
   }
 };
 
-TEST(GlowingSurfaces, LightAFloorAsTheFormFactorSays) {
+TEST(EmittingSurfaces, LightAFloorAsTheFormFactorSays) {
   const GlowingRoom room;
   const Geometry geometry(room.meshes);
   SurfacePoint point = floor_point(1.0F);
@@ -308,12 +311,12 @@ TEST(GlowingSurfaces, LightAFloorAsTheFormFactorSays) {
   const double factor = 4 * (1 / (2 * pi)) * 2 * (x / root * std::atan(x / root));
   const double wanted = 3 * factor;  // albedo 1: irradiance / pi = emission * factor
   Light hits_only = room.light;
-  hits_only.glowing.reset();
+  hits_only.emitters.reset();
   std::vector<double> errors;
   for (const Light* light : {&room.light, const_cast<const Light*>(&hits_only)}) {
     const SampleMean found = sample_mean(30000, [&](int i) {
-      return double{
-          leaving_pair(geometry, nullptr, point, *light, Sampler(3, i, 0, 0)).without_object.total()[0]};
+      return double{radiance_with_and_without(geometry, nullptr, point, *light, Sampler(3, i, 0, 0))
+                        .without_object.total()[0]};
     });
     EXPECT_NEAR(found.mean, wanted, 4 * found.standard_error + 1e-4 * wanted);
     errors.push_back(found.standard_error);
@@ -321,25 +324,25 @@ TEST(GlowingSurfaces, LightAFloorAsTheFormFactorSays) {
   EXPECT_LT(errors[0], errors[1]);
   const SampleMean light_alone = sample_mean(30000, [&](int i) {
     const auto sample =
-        light_sample(room.light, 0, point, Rgb::Ones(), Sampler(4, i, 0, 0), 0, GlowHits::unknown);
+        light_sample(room.light, 0, point, Rgb::Ones(), Sampler(4, i, 0, 0), 0, EmissionHits::unknown);
     return sample ? double{sample->radiance[0]} : 0.0;
   });
   EXPECT_NEAR(light_alone.mean, wanted, 4 * light_alone.standard_error + 1e-4 * wanted);
 }
 
-TEST(GlowingSurfaces, AreSampledByAreaAndLuminance) {
+TEST(EmittingSurfaces, AreSampledByAreaAndLuminance) {
   GlowingRoom room;
   auto second = std::make_shared<SurfaceMesh>(*room.meshes[1]);
   for (Eigen::Vector3f& p : second->positions_m) p = 0.5F * p + Eigen::Vector3f(5, 0, 0);
   second->emission = Rgb::Constant(8.0F);
   room.meshes.push_back(second);
-  const GlowingSurfaces glowing(room.meshes);
-  EXPECT_EQ(glowing.triangles(), 4U);
+  const EmittingSurfaces emitters(room.meshes);
+  EXPECT_EQ(emitters.triangles(), 4U);
   int in_second = 0;
   constexpr int samples = 40000;
   for (int i = 0; i < samples; ++i) {
     const Sampler sampler(9, i, 0, 0);
-    const auto place = glowing.sample(sampler.point(0)[0], sampler.point(1));
+    const auto place = emitters.sample(sampler.point(0)[0], sampler.point(1));
     in_second += place.position_m.x() > 3 ? 1 : 0;
     EXPECT_GT(place.density_m2, 0);
   }

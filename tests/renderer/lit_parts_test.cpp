@@ -10,7 +10,7 @@ namespace {
 
 constexpr int texels = 32;
 
-/// A square of one square metre whose first `lit` columns of texels glow.
+/// A square of one square metre whose first `lit` columns of texels emit.
 std::shared_ptr<SurfaceMesh> screen(int lit_columns, int lit_rows, bool nearest) {
   auto picture = std::make_shared<ByteImage>(ByteImage{texels, texels, 3, {}});
   picture->values.assign(texels * texels * 3, 0);
@@ -60,8 +60,8 @@ TEST(LitParts, EmissionOfAPartIsItsLargest) {
   float brightest = 0;
   for (const auto& mesh : meshes) {
     brightest = std::max(brightest, mesh->emission.maxCoeff());
-    const bool glows = (mesh->emission > 0.0F).any();
-    EXPECT_EQ(glows, mesh->material->emission_texture.has_value());
+    const bool emits = (mesh->emission > 0.0F).any();
+    EXPECT_EQ(emits, mesh->material->emission_texture.has_value());
   }
   EXPECT_FLOAT_EQ(brightest, 100.0F);
 }

@@ -285,7 +285,7 @@ TEST_F(MakeComposite, AMaskAndAMatteAreForBothEstimatorsAndSaidInTheReport) {
   EXPECT_EQ(left_half, 0);
   EXPECT_GT(right_half, 3);
   request.occlusion_mask.clear();
-  request.occlusion = PhotoOcclusion::none;
+  request.occlusion = Occlusion::nobody;
   request.estimator = Estimator::fast;
   EXPECT_THAT(said(request), HasSubstr("--estimator: wanted path beside --occlusion none"));
 }

@@ -92,7 +92,8 @@ TEST(Mirror, NothingIsDarkInAFurnaceThatMirrorsCastTheirLightInto) {
     for (int i = 0; i < samples; ++i) {
       const Sampler sampler(1, i, 0, 0);
       on_floor +=
-          double{leaving_pair(real, &object, *floor, light, sampler).with_object.total()[1]} / samples;
+          double{radiance_with_and_without(real, &object, *floor, light, sampler).with_object.total()[1]} /
+          samples;
       on_object +=
           double{leaving_object(ObjectQuestions::all_of({&real, &*glossy}), object, *glossy, light, sampler)
                      .total()[1]} /

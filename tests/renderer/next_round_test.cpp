@@ -88,9 +88,10 @@ TEST(LentShares, ATileWithoutFilterLendsAsManySamplesAsTheLeastAskedOfTheOthers)
   depth.grid = {2 * TileGrid::side_px, TileGrid::side_px};
   // Rows of four blocks, two of each tile.
   depth.spp.uncovered = {64, 128, 4, 8, 2, 0, 16, 0};
-  EXPECT_EQ(lent_shares(depth, {0, 1}), (std::vector<float>{1.0F / 16, 1.0F / 32, 1, 1, 1, 1, 1, 1}));
-  EXPECT_TRUE(lent_shares(depth, {1, 1}).empty());
-  EXPECT_TRUE(lent_shares(depth, {}).empty());
+  EXPECT_EQ(sample_shares_of_tiles(depth, {0, 1}),
+            (std::vector<float>{1.0F / 16, 1.0F / 32, 1, 1, 1, 1, 1, 1}));
+  EXPECT_TRUE(sample_shares_of_tiles(depth, {1, 1}).empty());
+  EXPECT_TRUE(sample_shares_of_tiles(depth, {}).empty());
 }
 
 }  // namespace

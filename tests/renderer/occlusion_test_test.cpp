@@ -29,7 +29,7 @@ TruthScene yard() {
   return scene_of(std::move(parts), light, 96, 54);
 }
 
-DepthSettings panorama(int width_px, const OcclusionMethod& occlusion) {
+DepthSettings panorama(int width_px, Occlusion occlusion) {
   DepthSettings settings{.width_px = width_px};
   settings.chain = DepthChain{};
   settings.chain->occlusion = occlusion;
@@ -67,7 +67,7 @@ TEST(OcclusionTest, EverySourceKnowsWhatIsInFront) {
   const TruthScene scene = yard();
   const ObjectGeometry geometry = object_geometry(scene, 1);
   const LocalSceneUse use{.threads = 2, .photograph = scene.camera};
-  DepthSettings settings = panorama(2048, DepthTestOcclusion{});
+  DepthSettings settings = panorama(2048, Occlusion::depth_test);
   settings.yaw_texels = 0.37;
   const auto share = [&](float relative) {
     return share_told_apart(geometry.truth, make_local_scene(geometry.truth, settings, use).occlusion.value(),
@@ -133,7 +133,7 @@ TEST(OcclusionTest, ABufferIsAsGoodAsItsSteps) {
 TEST(OcclusionTest, BothEstimatorsAskIt) {
   const TruthScene scene = yard();
   const ObjectGeometry geometry = object_geometry(scene, 1);
-  const LocalScene local = make_local_scene(geometry.truth, panorama(2048, DepthTestOcclusion{}),
+  const LocalScene local = make_local_scene(geometry.truth, panorama(2048, Occlusion::depth_test),
                                             {.threads = 2, .photograph = scene.camera});
   OcclusionTest nothing = local.occlusion.value();
   for (float& distance_m : std::get<PanoramaSight>(nothing.sights.front()).map.distance_m)
@@ -158,7 +158,7 @@ TEST(OcclusionTest, BothEstimatorsAskIt) {
 TEST(OcclusionTest, EverythingElseIsStillTheMeshs) {
   const TruthScene scene = yard();
   const ObjectGeometry geometry = object_geometry(scene, 1);
-  const LocalScene local = make_local_scene(geometry.truth, panorama(24, DepthTestOcclusion{}),
+  const LocalScene local = make_local_scene(geometry.truth, panorama(24, Occlusion::depth_test),
                                             {.threads = 2, .photograph = scene.camera});
   const PassOptions options{.spp = 8, .threads = 2};
   const TruthSums truth = render_truth(scene, geometry, options);

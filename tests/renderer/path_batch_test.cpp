@@ -69,7 +69,8 @@ TEST_F(PathBatchTest, MeansAreThoseOfPathsTracedToTheirEnds) {
   one_sky_ray.sky_rays = 1;
   for (int i = 0; i < count; ++i) {
     const PathStart from = start(i, true);
-    const RadiancePair pair = leaving_pair(floor_, &ball_, from.point, one_sky_ray, from.sampler);
+    const RadiancePair pair =
+        radiance_with_and_without(floor_, &ball_, from.point, one_sky_ray, from.sampler);
     const std::array reference = {double{pair.with_object.total()[1]},
                                   double{pair.without_object.total()[1]}};
     for (std::size_t world = 0; world < 2; ++world) {

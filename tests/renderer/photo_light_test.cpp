@@ -71,7 +71,7 @@ TEST(PhotoLight, InARoomOfOneRadianceADiffuseBallSendsItsAlbedoAndNoShadowIsSeen
 }
 
 TEST(PhotoLight, SurfacesThatSendWhatThePanoramaShowsLightAsSurfacesThatGlow) {
-  // One glowing wall of a black room; the panorama is a picture of it.
+  // One emitting wall of a black room; the panorama is a picture of it.
   const auto lamp =
       test::shape_of({{-0.5F, 1.45F, -2.5F}, {1, 1.45F, -2.5F}, {1, 1.45F, -1.5F}, {-0.5F, 1.45F, -1.5F}},
                      {{0, 1, 2}, {0, 2, 3}}, {.albedo = 0.0F, .emission = 8.0F});
@@ -85,13 +85,13 @@ TEST(PhotoLight, SurfacesThatSendWhatThePanoramaShowsLightAsSurfacesThatGlow) {
         panorama.set_rgb(x, y, hit->emission);
     }
   const Room room(walls, panorama, 0);
-  Light glow;
-  glow.bounces = 0;
-  glow.glowing = std::make_shared<GlowingSurfaces>(walls);
+  Light emission;
+  emission.bounces = 0;
+  emission.emitters = std::make_shared<EmittingSurfaces>(walls);
   const Meshes ball = {test::sphere({0.4F, 0, -2}, 0.6F, 64, 0.8F, 1)};
   const Geometry objects(ball);
   const Camera camera = small_camera();
-  Rgb by_panorama = Rgb::Zero(), by_rays = Rgb::Zero(), by_glow = Rgb::Zero();
+  Rgb by_panorama = Rgb::Zero(), by_rays = Rgb::Zero(), by_emission = Rgb::Zero();
   for (int y = 4; y < 28; ++y)
     for (int x = 8; x < 40; ++x)
       for (int i = 0; i < 64; ++i) {
@@ -101,8 +101,9 @@ TEST(PhotoLight, SurfacesThatSendWhatThePanoramaShowsLightAsSurfacesThatGlow) {
         by_panorama += leaving_object(ObjectQuestions::all_of({room.depth.get(), &*hit}), objects, *hit,
                                       room.light, sampler)
                            .total();
-        by_glow +=
-            leaving_object(ObjectQuestions::all_of({&truth, &*hit}), objects, *hit, glow, sampler).total();
+        by_emission +=
+            leaving_object(ObjectQuestions::all_of({&truth, &*hit}), objects, *hit, emission, sampler)
+                .total();
         const auto next = scatter(Light{}, *hit, sampler.point(dimension::direction(0)));
         if (!next) continue;
         const Ray ray = leaving_ray(*hit, next->direction, endless);
@@ -111,7 +112,7 @@ TEST(PhotoLight, SurfacesThatSendWhatThePanoramaShowsLightAsSurfacesThatGlow) {
       }
   EXPECT_NEAR(by_panorama[0] / by_rays[0], 1.0F, 0.02F);  // by both strategies as by one
   // The lamp's rim is a sheet up to the ceiling, two texels wide.
-  EXPECT_NEAR(by_panorama[0] / by_glow[0], 1.0F, 0.06F);
+  EXPECT_NEAR(by_panorama[0] / by_emission[0], 1.0F, 0.06F);
 }
 
 TEST(PhotoLight, ASunIsFoundWhereItIsAndTakesItsLightAlong) {

@@ -125,7 +125,7 @@ TEST(RealtimeMethods, SoftShadowsAreNearerToASoftSunThanHardOnes) {
 TEST(RealtimeMethods, GhostsAndDepthTestsHideWhatTheMeshHidesButForPixelsOnEdges) {
   const Piped piped(Estimator::path, shaded_scene(0, false, counted_width_px));
   const Image mesh = piped.picture(Artifact::occlusion, piped.local({}, 2048).world());
-  for (const PipelineOcclusion method : {PipelineOcclusion::ghosts, PipelineOcclusion::depth_test}) {
+  for (const Occlusion method : {Occlusion::ghosts, Occlusion::depth_test}) {
     const LocalScene local = piped.local({.occlusion = method}, 2048);
     const Image shown = piped.picture(Artifact::occlusion, local.world());
     int differ = 0, large = 0;

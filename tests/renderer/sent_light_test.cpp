@@ -48,7 +48,7 @@ float ratio_at(const Geometry& real, const Geometry& object, const Light& light,
   const auto point = real.nearest({Eigen::Vector3f::Zero(), Eigen::Vector3f(x_m, floor_m, -2).normalized()});
   float without_object = 0, with_object = 0;
   for (int i = 0; point && i < samples; ++i) {
-    const RadiancePair pair = leaving_pair(real, &object, *point, light, Sampler(1, 0, 0, i));
+    const RadiancePair pair = radiance_with_and_without(real, &object, *point, light, Sampler(1, 0, 0, i));
     without_object += pair.without_object.total()[1];
     with_object += pair.with_object.total()[1];
   }
@@ -99,7 +99,7 @@ class WindowRoom {
     local_ = std::make_shared<Geometry>(mesh, Rgb::Constant(0.5F));
     light_.environment = std::make_shared<EnvironmentMap>(std::move(panorama), 0.0F);
     light_.bounces = lit_.bounces = 8;
-    lit_.glowing = std::make_shared<GlowingSurfaces>(parts());
+    lit_.emitters = std::make_shared<EmittingSurfaces>(parts());
     sent_ = follow_received_light(local_, light_, 1.0F, 2);
   }
 
@@ -136,7 +136,7 @@ class WindowRoom {
     point->albedo = Rgb::Ones();
     float without_object = 0, with_object = 0;
     for (int i = 0; i < 8192; ++i) {
-      const RadiancePair pair = leaving_pair(real, &object, *point, light, Sampler(1, 0, 0, i));
+      const RadiancePair pair = radiance_with_and_without(real, &object, *point, light, Sampler(1, 0, 0, i));
       without_object += pair.without_object.total()[1];
       with_object += pair.with_object.total()[1];
     }

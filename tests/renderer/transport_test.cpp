@@ -22,7 +22,8 @@ TEST(Transport, ConvexBodyUnderAConstantEnvironmentReflectsAlbedoTimesRadiance) 
     const Sampler sampler(7, i, 0, 0);
     const Eigen::Array2f p = sampler.point(dimension::pixel) * 0.3F - 0.15F;
     const auto hit = ball.nearest({Eigen::Vector3f::Zero(), Eigen::Vector3f(p[0], p[1], -1).normalized()});
-    return hit ? double{leaving_pair(ball, nullptr, *hit, light, sampler).without_object.total()[1]}
+    return hit ? double{radiance_with_and_without(ball, nullptr, *hit, light, sampler)
+                            .without_object.total()[1]}
                : double{albedo * radiance};
   });
   EXPECT_NEAR(found.mean, albedo * radiance, 3 * found.standard_error + 1e-6);
@@ -42,7 +43,8 @@ TEST_P(EmissiveSphere, GivesEmissionTimesTheSumOfAlbedoPowers) {
   const SampleMean found = sample_mean(4000, [&](int i) {
     const Sampler sampler(3, i, 0, 0);
     const auto hit = furnace.nearest({Eigen::Vector3f::Zero(), cosine_weighted({0, 1, 0}, sampler.point(0))});
-    return double{leaving_pair(furnace, nullptr, *hit, light, sampler).without_object.total()[0]};
+    return double{
+        radiance_with_and_without(furnace, nullptr, *hit, light, sampler).without_object.total()[0]};
   });
   EXPECT_NEAR(found.mean, expected, 3 * found.standard_error + 1e-4 * expected);
 }
@@ -56,7 +58,7 @@ TEST(Transport, HardSunOnAPlaneIsIrradianceTimesCosineTimesAlbedoOverPi) {
   const auto hit = plane.nearest({Eigen::Vector3f::Zero(), Eigen::Vector3f(0, -0.3F, -1).normalized()});
   ASSERT_TRUE(hit);
   const double found =
-      leaving_pair(plane, nullptr, *hit, light, Sampler(1, 0, 0, 0)).without_object.total()[0];
+      radiance_with_and_without(plane, nullptr, *hit, light, Sampler(1, 0, 0, 0)).without_object.total()[0];
   EXPECT_NEAR(found, 8 * std::sqrt(0.5) * 0.5 / std::numbers::pi, 1e-5);
 }
 
@@ -66,7 +68,8 @@ TEST(Transport, SoftSunHasTheHardSunsMeanOnAPlane) {
   soft.suns.push_back({Eigen::Vector3f(1, 1, 0).normalized(), Rgb::Constant(8.0F), 0.02F});
   const auto hit = plane.nearest({Eigen::Vector3f::Zero(), Eigen::Vector3f(0, -0.3F, -1).normalized()});
   const SampleMean found = sample_mean(4000, [&](int i) {
-    return double{leaving_pair(plane, nullptr, *hit, soft, Sampler(1, i, 0, 0)).without_object.total()[0]};
+    return double{
+        radiance_with_and_without(plane, nullptr, *hit, soft, Sampler(1, i, 0, 0)).without_object.total()[0]};
   });
   EXPECT_NEAR(found.mean, 8 * std::sqrt(0.5) * 0.5 / std::numbers::pi, 3 * found.standard_error + 2e-4);
 }
@@ -86,8 +89,8 @@ TEST(Transport, AmbientOcclusionSeesOnlyWhatIsNear) {
     point.distance_m = 4;
     point.albedo = Rgb::Constant(0.5F);
     const SampleMean found = sample_mean(4000, [&](int i) {
-      return double{
-          leaving_pair(geometry, nullptr, point, light, Sampler(5, i, 0, 0)).without_object.total()[0]};
+      return double{radiance_with_and_without(geometry, nullptr, point, light, Sampler(5, i, 0, 0))
+                        .without_object.total()[0]};
     });
     // Rays with cosine over height / 2 reach the ceiling: a share of 1 - (height / 2)^2 of a cosine-weighted
     // hemisphere.
@@ -107,7 +110,7 @@ TEST(Transport, AnObjectThatNoLightPathReachesChangesNothing) {
     const Sampler sampler(11, i, 0, 0);
     const auto hit = room.nearest({Eigen::Vector3f::Zero(), cosine_weighted({0, 0, -1}, sampler.point(0))});
     ASSERT_TRUE(hit);
-    const RadiancePair pair = leaving_pair(room, &object, *hit, light, sampler);
+    const RadiancePair pair = radiance_with_and_without(room, &object, *hit, light, sampler);
     EXPECT_TRUE((pair.without_object.total() == pair.with_object.total()).all());
   }
 }
@@ -124,11 +127,12 @@ TEST(Transport, CoupledPairHasTheMeanOfIndependentPaths) {
   const auto hit = truth.nearest({Eigen::Vector3f::Zero(), Eigen::Vector3f(-0.35F, -0.45F, -1).normalized()});
   ASSERT_TRUE(hit);
   const SampleMean coupled = sample_mean(40000, [&](int i) {
-    return double{leaving_pair(truth, &object, *hit, light, Sampler(1, i, 0, 0)).with_object.total()[0]};
+    return double{
+        radiance_with_and_without(truth, &object, *hit, light, Sampler(1, i, 0, 0)).with_object.total()[0]};
   });
   const SampleMean plain = sample_mean(40000, [&](int i) {
-    return double{
-        leaving_pair(everything, nullptr, *hit, light, Sampler(2, i, 0, 0)).without_object.total()[0]};
+    return double{radiance_with_and_without(everything, nullptr, *hit, light, Sampler(2, i, 0, 0))
+                      .without_object.total()[0]};
   });
   EXPECT_NEAR(coupled.mean, plain.mean, 3 * std::hypot(coupled.standard_error, plain.standard_error));
 }
@@ -143,7 +147,7 @@ TEST(Transport, SplittingTheQuestionsBetweenEqualGeometriesChangesNothingOnAvera
   const auto real = truth.nearest({Eigen::Vector3f::Zero(), Eigen::Vector3f(0.1F, -0.45F, -1).normalized()});
   for (int i = 0; i < 2000; ++i) {
     const Sampler sampler(9, i, 0, 0);
-    const RadiancePair pair = leaving_pair(truth, &object, *real, light, sampler);
+    const RadiancePair pair = radiance_with_and_without(truth, &object, *real, light, sampler);
     const UncoveredPoint asked{&*real, {&twin, &*real}, &*real, sampler};
     RadiancePair direct;
     LightRays rays;

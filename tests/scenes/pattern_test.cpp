@@ -95,7 +95,7 @@ TEST(Loft, GlowsWithPanesOrIsOpenWithALamp) {
   const SceneContents glowing = builtin_scene("loft"), open = builtin_scene("loft_open");
   const auto panes = [](const SceneContents& room) {
     return std::count_if(room.parts.begin(), room.parts.end(),
-                         [](const ScenePart& part) { return part.surface.glow_w_m2_sr[0] > 0; });
+                         [](const ScenePart& part) { return part.surface.emission_w_m2_sr[0] > 0; });
   };
   EXPECT_EQ(panes(glowing), 3);
   EXPECT_EQ(panes(open), 0);

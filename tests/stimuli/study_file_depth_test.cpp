@@ -292,9 +292,9 @@ TEST(StudyFileDepth, WhoIsInFrontIsTheMeshOrATestAPixel) {
       "[[condition]]\nname = \"fine\"\ndepth.buffer_bits = 24\n");
   EXPECT_FALSE(study.conditions[0].depth.chain.has_value());
   EXPECT_EQ(word(study.conditions[1].depth.chain.value().occlusion), "depth_test");
-  EXPECT_EQ(std::get<sensors::DepthBuffer>(study.conditions[2].depth.chain.value().occlusion),
+  EXPECT_EQ(study.conditions[2].depth.chain.value().buffer,
             (sensors::DepthBuffer{.nearest_m = 0.01, .farthest_m = 100, .bits = 16}));
-  EXPECT_EQ(std::get<sensors::DepthBuffer>(study.conditions[3].depth.chain.value().occlusion).bits, 24);
+  EXPECT_EQ(study.conditions[3].depth.chain.value().buffer.bits, 24);
   EXPECT_THAT(depth_complaint(std::string(plain) + "occlusion = \"shader\""),
               HasSubstr("depth.occlusion: wanted \"mesh\" or \"depth_test\" or \"depth_buffer\""));
   EXPECT_THAT(depth_complaint(std::string(plain) + "occlusion = \"depth_test\"\nbuffer_bits = 16"),

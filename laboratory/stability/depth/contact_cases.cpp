@@ -42,8 +42,10 @@ Finding try_contact(float gap_m) {
       const auto point = floor.nearest({Eigen::Vector3f::Zero(), aim.normalized().cast<float>()});
       if (!point || std::abs(point->position_m.x()) > 0.42F) continue;
       ++paths;
-      lit += leaving_pair(floor, &box, *point, light, Sampler(1, i, 0, 0)).with_object.total().abs().sum() !=
-                     0.0F
+      lit += radiance_with_and_without(floor, &box, *point, light, Sampler(1, i, 0, 0))
+                         .with_object.total()
+                         .abs()
+                         .sum() != 0.0F
                  ? 1
                  : 0;
     }
@@ -85,9 +87,10 @@ Finding try_white_ball() {
     ++paths;
     error = worse(
         error,
-        relative_error(static_cast<double>(
-                           leaving_pair(ball, nullptr, *point, light, sampler).without_object.total()[1]),
-                       1));
+        relative_error(
+            static_cast<double>(
+                radiance_with_and_without(ball, nullptr, *point, light, sampler).without_object.total()[1]),
+            1));
   }
   return {error, fmt::format("{} paths", paths)};
 }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int width_px = 80, height_px = 45;
 
-/// A glowing sheet before a darker wall whose slanting edge crosses the picture, moved to the right by a
+/// A emitting sheet before a darker wall whose slanting edge crosses the picture, moved to the right by a
 /// number of pixels.
 Image sheet_picture(double displacement_px) {
   constexpr double distance_m = 4;

@@ -24,7 +24,7 @@ struct HalfHidden {
         point(real.nearest({Eigen::Vector3f::Zero(), Eigen::Vector3f(0, -1, -6).normalized()}).value()) {}
 
   [[nodiscard]] RadiancePair sample(const Sampler& sampler) const {
-    return leaving_pair(real, &object, point, light, sampler);
+    return radiance_with_and_without(real, &object, point, light, sampler);
   }
 };
 

@@ -71,8 +71,9 @@ Finding try_closed_sphere(const ClosedSphere& sphere) {
   double error = 0, last = 0;
   for (int i = 0; i < paths; ++i) {
     const Sampler sampler(3, i, 0, 0);
-    const RadiancePair pair = leaving_pair(furnace.wall, sphere.object_inside ? &furnace.object : nullptr,
-                                           first_hit(furnace, sampler), furnace.light, sampler);
+    const RadiancePair pair =
+        radiance_with_and_without(furnace.wall, sphere.object_inside ? &furnace.object : nullptr,
+                                  first_hit(furnace, sampler), furnace.light, sampler);
     for (const Split& split : {pair.without_object, pair.with_object}) {
       last = static_cast<double>(split.total()[1]);
       error = worse(error, relative_error(last, expected_radiance(sphere)));

@@ -34,8 +34,8 @@ Finding try_strong_sun(float irradiance_w_m2, bool in_shadow) {
   const double lit = 0.5 * static_cast<double>(irradiance_w_m2) * std::sqrt(0.5) / std::numbers::pi;
   double error = 0, last = 0;
   for (int i = 0; i < 400; ++i) {
-    last = static_cast<double>(
-        leaving_pair(scene, nullptr, point, light, Sampler(1, i, 0, 0)).without_object.total()[1]);
+    last = static_cast<double>(radiance_with_and_without(scene, nullptr, point, light, Sampler(1, i, 0, 0))
+                                   .without_object.total()[1]);
     // In the shadow a sample sees the sky (0.5) or the wall (0), and nothing of the sun.
     error = worse(
         error, in_shadow ? std::min(std::abs(last - 0.5), std::abs(last)) : relative_error(last, lit + 0.5));
@@ -100,8 +100,9 @@ Finding try_grazing_sun(double elevation_deg, double turn_deg, int cells) {
                                                          (2 * random.uniform() - 1) * square.v);
     const auto hit = plane.nearest({Eigen::Vector3f::Zero(), aim.normalized().cast<float>()});
     if (!hit) return {nan, "a ray slipped through the plane"};
-    const double found = static_cast<double>(
-        leaving_pair(plane, nullptr, *hit, light, Sampler(1, i, 0, 0)).without_object.total()[1]);
+    const double found =
+        static_cast<double>(radiance_with_and_without(plane, nullptr, *hit, light, Sampler(1, i, 0, 0))
+                                .without_object.total()[1]);
     dark += found == 0 ? 1 : 0;
     error = worse(error, relative_error(found, expected));
   }

@@ -155,7 +155,7 @@ void count(const Captured& captured, SensorCounts& counts) {
 }
 
 registration::MeshRegistration mesh_registration(const DepthChain& chain, int threads) {
-  return {.jumps = chain.jumps == Jumps::stretch ? registration::Jumps::stretch : registration::Jumps::cut,
+  return {.jumps = chain.jumps,
           .jump_ratio = chain.jump_ratio,
           .border_extrusion_px = chain.border_extrusion_px,
           .threads = threads};

@@ -13,7 +13,7 @@ namespace {
 /// those from `first_object` to `end_object` about the object.
 struct PixelSamples {
   int first_uncovered = 0, end_uncovered = 0, first_object = 0, end_object = 0;
-  bool beside_truth = false;
+  bool is_paired_with_truth = false;
   [[nodiscard]] bool asks_uncovered(int i) const { return i >= first_uncovered && i < end_uncovered; }
   [[nodiscard]] bool asks_object(int i) const { return i >= first_object && i < end_object; }
   [[nodiscard]] int first() const {
@@ -35,7 +35,8 @@ class TileAsker {
     const std::size_t pixel = answers_.grid.index(x, y);
     for (int i = samples.first(); i < samples.end(); ++i) {
       ids_.push_back({x, y, i});
-      wanted_.push_back({pixel, samples.asks_uncovered(i), samples.asks_object(i), samples.beside_truth});
+      wanted_.push_back(
+          {pixel, samples.asks_uncovered(i), samples.asks_object(i), samples.is_paired_with_truth});
     }
     if (ids_.size() >= at_once) ask();
   }
@@ -55,7 +56,7 @@ class TileAsker {
   static constexpr std::size_t at_once = 32;
   struct Wanted {
     std::size_t pixel;
-    bool uncovered, object, beside_truth;
+    bool uncovered, object, is_paired_with_truth;
   };
 
   /// What a sample shows decides which of its pixel's two numbers of samples counts.
@@ -65,7 +66,7 @@ class TileAsker {
       const bool on_object = seen_[i].shows == StimulusSample::Shows::object;
       if (!(on_object ? wanted_[i].object : wanted_[i].uncovered)) continue;
       seen_[kept] = seen_[i], wanted_[kept] = wanted_[i];
-      seen_[kept].beside_truth = wanted_[i].beside_truth;
+      seen_[kept].is_paired_with_truth = wanted_[i].is_paired_with_truth;
       ++kept;
     }
     seen_.erase(seen_.begin() + static_cast<std::ptrdiff_t>(kept), seen_.end());
@@ -86,7 +87,7 @@ class TileAsker {
     }
     sums.uncovered_surfaces += light.uncovered_surfaces;
     if (sample.shows == Shows::object) sums.covered += 1.0F;
-    if (sample.beside_truth) answers_.object_in_truth[half][pixel] += light.object_in_truth;
+    if (sample.is_paired_with_truth) answers_.object_in_truth[half][pixel] += light.object_in_truth;
     if (sample.shows == Shows::sky && sample.real) sums.depth_sky += 1.0F;
     if (answers_.guides.empty()) return;
     if (const SurfacePoint* receiver = sampler_.receiver(sample))
@@ -131,10 +132,10 @@ void ask_depth(const StimulusSampler& sampler, const DepthSamples& wanted,
     for (const int block : blocks_of(answers.grid, tile)) {
       const auto b = static_cast<std::size_t>(block);
       int &uncovered = answers.spp.uncovered[b], &object = answers.spp.object[b];
-      const bool beside_truth =
+      const bool is_paired_with_truth =
           !answers.object_in_truth[0].empty() && wanted.object[b] < wanted.photograph[b];
       const PixelSamples with_object = {uncovered, wanted.uncovered[b], object, wanted.object[b],
-                                        beside_truth};
+                                        is_paired_with_truth};
       const PixelSamples without_object = {uncovered, wanted.uncovered[b], 0, 0};
       if (with_object.first() >= with_object.end()) continue;
       const BlockGrid::Rectangle r = answers.blocks().rectangle(block);

@@ -139,15 +139,15 @@ class StimulusRounds {
 
   /// A few where only a ratio is asked for.
   [[nodiscard]] int first_uncovered_samples(std::size_t block) const {
-    return few_or_all(choices_.first_ratio_spp, block);
+    return samples_of_block(choices_.first_ratio_spp, block);
   }
   /// A few where only a difference is; else as many as the truth has, because noise must not give the object
   /// away.
   [[nodiscard]] int first_object_samples(std::size_t block) const {
-    return adds_to_object(recipe_.answers) ? few_or_all(choices_.first_difference_spp, block)
+    return adds_to_object(recipe_.answers) ? samples_of_block(choices_.first_difference_spp, block)
                                            : truth_.scene_sums.spp[block];
   }
-  [[nodiscard]] int few_or_all(const std::optional<int>& few, std::size_t block) const {
+  [[nodiscard]] int samples_of_block(const std::optional<int>& few, std::size_t block) const {
     const int all = truth_.scene_sums.spp[block];
     return std::min(few.value_or(all), all);
   }

@@ -25,7 +25,7 @@ float truth_inverse_reach(const ObjectTruth& truth, std::size_t pixel) {
 
 }  // namespace
 
-std::vector<float> lent_shares(const DepthAnswers& depth, const TileSet& filtered) {
+std::vector<float> sample_shares_of_tiles(const DepthAnswers& depth, const TileSet& filtered) {
   if (std::find(filtered.begin(), filtered.end(), 0) == filtered.end()) return {};
   const std::vector<int>& asked = depth.spp.uncovered;
   const auto is_filtered = [&](std::size_t block) {
@@ -60,7 +60,7 @@ FilteredBounce filtered_uncovered(const ObjectTruth& truth, const DepthAnswers& 
   uncovered.texels.resize(guides.size());
   const TileGrid& grid = depth.grid;
   TileSet changed(static_cast<std::size_t>(grid.count()), 0);
-  const std::vector<float> lent = lent_shares(depth, filtered);
+  const std::vector<float> lent = sample_shares_of_tiles(depth, filtered);
   const auto take_pixel = [&](int x, int y, char& change) {
     const std::size_t i = truth.truth_sums.index(x, y);
     const Surface& surface = uncovered.surfaces[i] = surface_at(x, y, i);

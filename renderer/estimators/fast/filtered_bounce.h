@@ -21,7 +21,7 @@ struct FilteredBounce {
 /// without the filter was asked dozens of times as often as those beside it. It lends no more samples than
 /// the least asked of the others have, or pixels beside it would take nearly all of their light from it, be
 /// wrong by it, and their tiles would lose the filter next.
-[[nodiscard]] std::vector<float> lent_shares(const DepthAnswers& depth, const TileSet& filtered);
+[[nodiscard]] std::vector<float> sample_shares_of_tiles(const DepthAnswers& depth, const TileSet& filtered);
 
 /// Light off the object that the depth mesh has a part in; empty for a strength of no levels. `guides` become
 /// its surfaces. `filtered`: the tiles that are shown filtered; empty: all are, or all lend what they have.

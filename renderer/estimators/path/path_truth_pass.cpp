@@ -26,12 +26,13 @@ void add_sample(const TruthScene& scene, const ObjectGeometry& geometry, const R
     const RealQuestion truth{&geometry.truth, &*object};
     sums.object += leaving_object(ObjectQuestions::all_of(truth), geometry.object, *object, scene.light,
                                   sampler, &counts);
-    sums.behind += real ? leaving_pair(geometry.truth, nullptr, *real, scene.light, sampler, &counts)
-                              .without_object.total()
-                        : scene.light.sky(ray.direction);
+    sums.behind +=
+        real ? radiance_with_and_without(geometry.truth, nullptr, *real, scene.light, sampler, &counts)
+                   .without_object.total()
+             : scene.light.sky(ray.direction);
   } else if (real) {
     const RadiancePair pair =
-        leaving_pair(geometry.truth, &geometry.object, *real, scene.light, sampler, &counts);
+        radiance_with_and_without(geometry.truth, &geometry.object, *real, scene.light, sampler, &counts);
     ++sums.uncovered_surfaces;
     sums.without_object += pair.without_object;
     sums.with_object += pair.with_object;
@@ -108,7 +109,7 @@ SceneReference render_reference(const TruthScene& scene, const PassOptions& opti
         const Ray ray = camera_ray(camera, x, y, sampler);
         std::optional<SurfacePoint> point = everything.nearest(ray, &counts);
         if (point && seen != nullptr) seen->even_out(x, y, point->object_index, *point);
-        sum += point ? leaving_pair(everything, nullptr, *point, scene.light, sampler, &counts)
+        sum += point ? radiance_with_and_without(everything, nullptr, *point, scene.light, sampler, &counts)
                            .without_object.total()
                      : scene.light.sky(ray.direction);
       }

@@ -3,12 +3,9 @@
 #include <string>
 #include <string_view>
 
-namespace seamline::inline stimuli {
+#include "stimuli/definition/methods/occlusion.h"
 
-/// Who says what is in front (papers 001, section 5.1, and 000, section 4.1). `mesh`: rays into the depth
-/// mesh, a sample at a time. `depth_test`: the measured depth of a direction against the object's. `ghosts`:
-/// the depth mesh drawn first into a depth buffer of the picture's pixels, and not into its colours.
-enum class PipelineOcclusion { mesh, depth_test, ghosts };
+namespace seamline::inline stimuli {
 
 /// How light of suns and lamps is kept from where it does not arrive. `shadow_map`: a picture of depth as the
 /// light sees it, of the local scene and of the object (000, section 4.2; 001, section 5.3).
@@ -37,7 +34,7 @@ enum class PipelineCompositing { ratio, additive, dark_layer };
 /// How light is computed from the local scene, where it answers: traced, or by methods of real time. What it
 /// does not name is traced.
 struct Pipeline {
-  PipelineOcclusion occlusion = PipelineOcclusion::mesh;
+  Occlusion occlusion = Occlusion::mesh;  ///< or `depth_test`, `ghosts`
   PipelineShadows shadows = PipelineShadows::traced;
   ShadowFilter shadow_filter = ShadowFilter::none;
   int shadow_map_px = 1024;       ///< a side; of shadow maps only, and so are filter and bias
@@ -53,7 +50,6 @@ struct Pipeline {
   auto operator<=>(const Pipeline&) const = default;
 };
 
-[[nodiscard]] std::string_view word(PipelineOcclusion occlusion);
 [[nodiscard]] std::string_view word(PipelineShadows shadows);
 [[nodiscard]] std::string_view word(ShadowFilter filter);
 [[nodiscard]] std::string_view word(PipelineNormals normals);

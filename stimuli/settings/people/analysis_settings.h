@@ -14,7 +14,7 @@ inline constexpr std::array<std::string_view, 2> words_of_model = {"joint", "pap
 template <>
 inline constexpr auto settings_of<AnalysisDefinition> = std::to_array<Setting<AnalysisDefinition>>({
     {.key = "model",
-     .slot = either<&AnalysisDefinition::joint, true, false>(words_of_model),
+     .slot = one_of<&AnalysisDefinition::joint, true, false>(words_of_model),
      .meaning = "Thresholds of record: the joint model's, or straight lines between the tested levels.",
      .changes = Changes::presentation,
      .of_condition = false},

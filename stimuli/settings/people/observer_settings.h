@@ -13,7 +13,7 @@ inline constexpr std::array<std::string_view, 2> words_of_noticeability = {"fall
 template <>
 inline constexpr auto settings_of<LevelDefinition> = std::to_array<Setting<LevelDefinition>>({
     {.key = "noticeability",
-     .slot = either<&LevelDefinition::noticeability, Direction::decreasing, Direction::increasing>(
+     .slot = one_of<&LevelDefinition::noticeability, Direction::decreasing, Direction::increasing>(
          words_of_noticeability),
      .meaning = "Whether more or less is noticed as the level grows.",
      .changes = Changes::presentation,
@@ -82,7 +82,7 @@ inline constexpr auto settings_of<ObserverDefinition> = std::to_array<Setting<Ob
      .changes = Changes::presentation,
      .of_condition = false},
     {.key = "noticeability",
-     .slot = either<&ObserverDefinition::direction, Direction::decreasing, Direction::increasing>(
+     .slot = one_of<&ObserverDefinition::direction, Direction::decreasing, Direction::increasing>(
          words_of_noticeability),
      .meaning = "Direction of the observer `threshold`.",
      .wording = {.before = "noticeability ", .after = "\n", .written = Written::where_unusual},

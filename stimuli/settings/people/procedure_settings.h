@@ -55,7 +55,7 @@ inline constexpr auto settings_of<QuestPlusDefinition> = std::to_array<Setting<Q
      .of_condition = false,
      .usual = "the level's"},
     {.key = "noticeability",
-     .slot = either<&QuestPlusDefinition::direction, Direction::decreasing, Direction::increasing>(
+     .slot = one_of<&QuestPlusDefinition::direction, Direction::decreasing, Direction::increasing>(
          words_of_noticeability),
      .meaning = "With the level.",
      .changes = Changes::presentation,

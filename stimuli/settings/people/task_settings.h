@@ -102,7 +102,7 @@ inline constexpr auto settings_of<TaskDefinition> = std::to_array<Setting<TaskDe
      .form = "five",
      .usual = "ITU-R BT.500"},
     {.key = "blocks",
-     .slot = either<&TaskDefinition::blocks, false, true>(words_of_blocks),
+     .slot = one_of<&TaskDefinition::blocks, false, true>(words_of_blocks),
      .meaning = "All trials of a condition follow each other. The order of conditions is a row of Williams' "
                 "balanced Latin square, taken in turn by the participants' slots.",
      .wording = {.before = "task blocks ", .after = "\n", .written = Written::where_unusual},

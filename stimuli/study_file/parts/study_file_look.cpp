@@ -46,7 +46,7 @@ void refuse_views_own(const TomlTable& table, const ConditionDefinition& conditi
   for (const SceneDefinition& scene : condition.scenes)
     if (!scene.view.is_mono()) refuse("view.kind", "\"" + std::string(word(scene.view.kind)) + "\"");
   if (depth.albedo == MeshAlbedo::photograph) refuse("mesh_albedo", "\"photograph\"");
-  if (depth.mitigation.occlusion != OcclusionMitigation::none)
+  if (depth.mitigation.occlusion != Occlusion::mesh)
     refuse("mitigation.occlusion", "\"" + std::string(word(depth.mitigation.occlusion)) + "\"");
   if (depth.mitigation.shadow != ShadowMitigation::none)
     refuse("mitigation.shadow", "\"" + std::string(word(depth.mitigation.shadow)) + "\"");
