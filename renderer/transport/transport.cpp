@@ -197,8 +197,8 @@ RadiancePair radiance_with_and_without(const Geometry& real, const Geometry* obj
     if (hit) ray.far_m = hit->distance_m;
     const std::optional<SurfacePoint> object_hit =
         object == nullptr ? std::nullopt : object->nearest(ray, counts);
-    const auto add_emission = [&](const SurfacePoint& emits, FoundLight& found) {
-      const FoundEmission emission = emission_found(light, point, next->direction, emits);
+    const auto add_emission = [&](const SurfacePoint& emitter, FoundLight& found) {
+      const FoundEmission emission = emission_found(light, point, next->direction, emitter);
       found.add(throughput * emission.radiance, emission.is_lamp && is_first);
     };
     if (object_hit) {  // here the two paths part
