@@ -23,7 +23,7 @@ inline constexpr auto settings_of<LookDefinition> = std::to_array<Setting<LookDe
      .slot = &LookDefinition::view_px,
      .range = {64, 4096, "px"},
      .meaning = "Size of the view on the screen.",
-     .wording = {.before = " view ", .after = " px", .between = " x "},
+     .wording = {.before = " ", .after = " px", .between = " x "},
      .changes = Changes::presentation,
      .form = "width and height of the view, as [960, 540]"},
     {.key = "horizontal_fov_deg",
