@@ -38,9 +38,9 @@ EstimateLimit camera_rays(const ConvergenceSubject& subject) {
 std::vector<std::pair<std::string, Mitigation>> mitigations() {
   return {{"depth mesh", {}},
           {"edges and shadows of the photograph",
-           {.occlusion = OcclusionMitigation::edges, .shadow = ShadowMitigation::detected}},
+           {.occlusion = Occlusion::edges, .shadow = ShadowMitigation::detected}},
           {"painted mask and matte",
-           {.occlusion = OcclusionMitigation::mask, .shadow = ShadowMitigation::matte}}};
+           {.occlusion = Occlusion::mask, .shadow = ShadowMitigation::matte}}};
 }
 
 }  // namespace

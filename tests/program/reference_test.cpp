@@ -46,15 +46,16 @@ std::set<std::string> keys_of_the_reader() {
   const std::regex asked(
       R"re((?:\.|->)(?:has|is_text|number|integer|long_integer|boolean|text|triple|integers|numbers|texts|table|tables)\(\s*"([a-z0-9_]+)")re"),
       helped(
-          R"re((?:number|one_of<[\w:]+>|read_range|read_layer|read_even_width|read_limits|read_direction|both)\(\s*(?:\*?[a-z_]+, )?"([a-z0-9_]+)")re");
+          R"re((?:number|read_word|read_setting|read_range|read_layer|read_even_width|read_limits|read_direction|both)\(\s*(?:\*?[a-z_]+, )?"([a-z0-9_]+)")re");
   std::set<std::string> keys;
   for (const auto& entry : fs::recursive_directory_iterator(source_folder() / "stimuli/study_file")) {
     if (entry.path().extension() != ".cpp" || entry.path().filename() == "carried_texts.cpp") continue;
     const std::string text = test::read_text(entry.path());
     for (const std::regex& expression : {asked, helped}) add_matches(text, expression, keys);
   }
-  for (const auto& entry : fs::directory_iterator(source_folder() / "stimuli/settings"))
-    add_matches(test::read_text(entry.path()), std::regex("[.]key = \"([a-z0-9_]+)\""), keys);
+  for (const auto& entry : fs::recursive_directory_iterator(source_folder() / "stimuli/settings"))
+    if (entry.is_regular_file())
+      add_matches(test::read_text(entry.path()), std::regex("[.]key = \"([a-z0-9_]+)\""), keys);
   for (const PhraseEntry& phrase : every_phrase()) keys.insert(std::string(phrase.key));
   for (const Quantity quantity : every_quantity) keys.insert(std::string(facts(quantity).key));
   return keys;

@@ -55,7 +55,7 @@ TruthScene small_room(std::vector<PartPointer> object, Light light, std::vector<
                    .light = std::move(light)};
   scene.background.insert(scene.background.end(), more.begin(), more.end());
   TruthScene made = truth_scene_of(scene);
-  add_glowing(made.background, made.light);
+  add_emitters(made.background, made.light);
   add_bright_patches(made.background, made.geometry(true, made.object_indices()), made.light);
   return made;
 }
