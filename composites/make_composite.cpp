@@ -49,7 +49,7 @@ GivenAnswers given_answers(const CompositeRequest& request, const SeenPhoto& see
   given.shadow_matte = mask(request.shadow_matte);
   if (!request.occlusion_mask.empty()) {
     given.test.emplace().mask = mask(request.occlusion_mask);
-  } else if (request.occlusion == Occlusion::depth_test || request.occlusion == Occlusion::depth_buffer) {
+  } else if (tests_pixels(request.occlusion)) {
     given.test =
         OcclusionTest{.sights = {photo_sight(depth, request.depth, camera)}, .forward = -camera.axes.col(2)};
     if (request.occlusion == Occlusion::depth_buffer) {
@@ -309,7 +309,6 @@ void make_composite(const CompositeRequest& asked, const CompositeListener& list
   const ObjectSight sight = look_at_objects(seen.camera, *local.geometry, object_geometry, objects);
   if (!may_change(photo_scene(local), sight, request.threads)) refuse_without_effect(sight, request.shadows);
   if (!objects.meshes.empty()) judge_sight(sight, notes);
-
   const ChosenWidth chosen = choose_width(request, photo_scene(local), notes);
   made.width = chosen.by_thresholds;
   made.depth_text = fmt::format(
@@ -334,7 +333,6 @@ void make_composite(const CompositeRequest& asked, const CompositeListener& list
     finest = std::move(local);
     local = std::move(reduced);
   }
-
   look_for_spots(objects.meshes, local.mesh, request.albedo, local.light);
   if (world.known.added) look_for_spots(objects.meshes, local.mesh, request.albedo, *world.known.added);
   const PhotoScene scene = photo_scene(local);
@@ -370,7 +368,6 @@ void make_composite(const CompositeRequest& asked, const CompositeListener& list
   made.mesh_seconds = local.seconds;
   made.picture_seconds = rendered.seconds;
   made.notes = notes.said;
-
   write_picture(request, made.picture.picture, seen.photograph.profile.get());
   if (!request.layers.empty()) write_layers(request, scene, sums, made.picture);
   if (!request.local_scene.empty())
