@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "stimuli/definition/parts/condition_tasks.h"
+#include "stimuli/definition/looks/condition_tasks.h"
 #include "stimuli/study_file/study_file.h"
 
 namespace seamline::analysis {

@@ -10,7 +10,7 @@
 #include "analysis/foresight/plan_scenes.h"
 #include "analysis/foresight/plan_summary.h"
 #include "analysis/thresholds/planted_noticeability.h"
-#include "stimuli/definition/parts/condition_tasks.h"
+#include "stimuli/definition/looks/condition_tasks.h"
 #include "stimuli/study_file/parts/study_file_task.h"
 #include "stimuli/study_file/study_file.h"
 #include "study/observers/observer.h"

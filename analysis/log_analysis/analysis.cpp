@@ -11,7 +11,7 @@
 #include "analysis/replication/published_text.h"
 #include "analysis/screening/catch_answers.h"
 #include "analysis/thresholds/planted_noticeability.h"
-#include "stimuli/definition/parts/condition_tasks.h"
+#include "stimuli/definition/looks/condition_tasks.h"
 #include "stimuli/set/set_study.h"
 #include "stimuli/study_file/moving/study_file_late_frames.h"
 #include "stimuli/study_file/study_file.h"

@@ -7,8 +7,8 @@
 #include <map>
 #include <set>
 
+#include "stimuli/definition/looks/condition_tasks.h"
 #include "stimuli/definition/moving/clip_definition.h"
-#include "stimuli/definition/parts/condition_tasks.h"
 #include "stimuli/settings/people/observer_settings.h"
 #include "stimuli/settings/read_settings.h"
 #include "stimuli/settings/scene_settings.h"

@@ -6,7 +6,7 @@
 #include <cassert>
 #include <exception>
 
-#include "stimuli/definition/parts/condition_tasks.h"
+#include "stimuli/definition/looks/condition_tasks.h"
 #include "stimuli/set/set_study.h"
 #include "stimuli/study_file/study_file.h"
 #include "study/log/log_create.h"

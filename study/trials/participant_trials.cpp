@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "stimuli/definition/parts/condition_tasks.h"
+#include "stimuli/definition/looks/condition_tasks.h"
 #include "study/placement/placed_answer.h"
 #include "study/trials/catch_trials.h"
 #include "study/trials/condition_blocks.h"

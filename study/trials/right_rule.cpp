@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "stimuli/definition/parts/condition_tasks.h"
+#include "stimuli/definition/looks/condition_tasks.h"
 #include "study/trials/rendered_set.h"
 #include "support/arithmetic/random.h"
 

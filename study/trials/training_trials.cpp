@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "stimuli/definition/parts/condition_tasks.h"
+#include "stimuli/definition/looks/condition_tasks.h"
 #include "study/trials/condition_blocks.h"
 #include "support/text/error.h"
 #include "support/text/suggest.h"

@@ -1,6 +1,6 @@
 #include "study/trials/trial_picture.h"
 
-#include "stimuli/definition/parts/condition_tasks.h"
+#include "stimuli/definition/looks/condition_tasks.h"
 #include "stimuli/pictures/attention_image.h"
 #include "stimuli/set/manifest_pictures.h"
 #include "study/trials/trial_clip.h"

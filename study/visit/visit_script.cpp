@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "stimuli/definition/looks/condition_tasks.h"
 #include "stimuli/definition/moving/clip_definition.h"
-#include "stimuli/definition/parts/condition_tasks.h"
 #include "study/trials/participant_trials.h"
 #include "study/trials/training_trials.h"
 #include "study/trials/trial_picture.h"

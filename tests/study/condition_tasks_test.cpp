@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "stimuli/definition/parts/condition_tasks.h"
+#include "stimuli/definition/looks/condition_tasks.h"
 #include "stimuli/study_file/study_file.h"
 #include "study/log/log.h"
 #include "study/running/simulation.h"

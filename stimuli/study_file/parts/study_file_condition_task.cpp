@@ -6,7 +6,7 @@
 #include <utility>
 #include <variant>
 
-#include "stimuli/definition/parts/condition_tasks.h"
+#include "stimuli/definition/looks/condition_tasks.h"
 #include "stimuli/definition/parts/staircase_definition.h"
 #include "stimuli/study_file/parts/study_file_task.h"
 

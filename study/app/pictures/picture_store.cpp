@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "stimuli/definition/looks/condition_tasks.h"
 #include "stimuli/definition/looks/study_look.h"
 #include "stimuli/definition/moving/clip_definition.h"
-#include "stimuli/definition/parts/condition_tasks.h"
 #include "study/trials/level_ladders.h"
 #include "study/trials/participant_trials.h"
 #include "study/trials/right_rule.h"

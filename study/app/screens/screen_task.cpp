@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "stimuli/definition/parts/condition_tasks.h"
+#include "stimuli/definition/looks/condition_tasks.h"
 #include "study/app/pictures/picture_store.h"
 #include "study/app/screens/answer_row.h"
 #include "study/app/screens/trial_view.h"

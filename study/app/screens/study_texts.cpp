@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "stimuli/definition/parts/condition_tasks.h"
+#include "stimuli/definition/looks/condition_tasks.h"
 
 namespace seamline::study::app {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "stimuli/definition/parts/condition_tasks.h"
+#include "stimuli/definition/looks/condition_tasks.h"
 #include "study/app/pictures/picture_store.h"
 #include "study/trials/right_rule.h"
 #include "study/trials/trial_picture.h"

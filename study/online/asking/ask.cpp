@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "stimuli/definition/parts/condition_tasks.h"
+#include "stimuli/definition/looks/condition_tasks.h"
 #include "stimuli/set/manifest_pictures.h"
 #include "stimuli/study_file/study_file.h"
 #include "study/log/log_writer.h"

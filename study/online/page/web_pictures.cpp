@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "stimuli/definition/looks/condition_tasks.h"
 #include "stimuli/definition/looks/study_look.h"
-#include "stimuli/definition/parts/condition_tasks.h"
 #include "stimuli/set/manifest_pictures.h"
 #include "study/trials/right_rule.h"
 #include "study/trials/trial_clip.h"

@@ -6,9 +6,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "stimuli/definition/looks/condition_tasks.h"
 #include "stimuli/definition/looks/study_look.h"
 #include "stimuli/definition/moving/clip_definition.h"
-#include "stimuli/definition/parts/condition_tasks.h"
 #include "stimuli/definition/people/language_definition.h"
 #include "stimuli/definition/people/recruitment_definition.h"
 #include "study/online/page/web_format.h"

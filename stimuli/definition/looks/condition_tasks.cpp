@@ -1,4 +1,4 @@
-#include "stimuli/definition/parts/condition_tasks.h"
+#include "stimuli/definition/looks/condition_tasks.h"
 
 #include <algorithm>
 
