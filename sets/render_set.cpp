@@ -283,7 +283,7 @@ class SetRenderer {
                    const std::vector<PendingStimulus>& works) {
     const Stopwatch watch;
     std::shared_ptr<const LocalScene> depth = meshes_ ? meshes_->find(works.front().stimulus) : nullptr;
-    bool needed = request_.layers;
+    bool needed = request_.layers || scene.definition.view.parallax == Parallax::depth;
     for (const PendingStimulus& work : works)
       needed = needed || recipe(work.stimulus.artifact, work.stimulus.isolation).answers.needs_depth();
     // By all artifacts of the scene, not by those left to render: an interrupted set has the same bytes.
@@ -314,7 +314,8 @@ class SetRenderer {
     const ReportProgress reported = report(weights_.stimulus, id);
     EstimatedStimulus made = decision != nullptr ? estimator.decided_stimulus(how, world, *decision, reported)
                                                  : estimator.stimulus(how, world, reported);
-    const Composite composite = compose(made.sums, made.sums.compositing, threads_);
+    Composite composite = compose(made.sums, made.sums.compositing, threads_);
+    give_depth_parallax(scene, estimator.truth(), geometry, made.sums, threads_, composite);
     ManifestStimulus record =
         write_stimulus(request_.set_folder, work.stimulus,
                        {.made = made,
@@ -325,7 +326,8 @@ class SetRenderer {
     if (depth != nullptr && work.stimulus.depth.pipeline != Pipeline{} && how.answers.needs_depth())
       record.pipeline_error = display_rmse(composite.picture, traced_picture(estimator, how, *depth),
                                            scene.definition.exposure_ev);
-    if (depth != nullptr && how.answers.needs_depth()) record.mesh = depth->mesh;
+    if (depth != nullptr && (how.answers.needs_depth() || scene.definition.view.parallax == Parallax::depth))
+      record.mesh = depth->mesh;
     if (request_.layers)
       write_layers({request_.set_folder, work.stimulus, work.inputs}, scene, geometry,
                    {estimator.truth(), made.sums, composite});

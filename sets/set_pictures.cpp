@@ -1,5 +1,7 @@
 #include "sets/set_pictures.h"
 
+#include <fmt/core.h>
+
 #include "renderer/views/view_picture.h"
 #include "stimuli/pictures/difference.h"
 #include "support/files/hash.h"
@@ -14,6 +16,20 @@ std::string reference_picture(const std::string& truth) {
 }
 std::string click_map_picture(const std::string& truth) {
   return "references/" + truth + "-ids.png";
+}
+
+/// Writes what people are shown; of panoramas for each eye also those of the other eyes, which are returned:
+/// "stimuli/NAME-eye2.png" beside "stimuli/NAME.png".
+std::vector<EyePicture> write_eyes(const fs::path& set_folder, const std::string& image, const View& view,
+                                   const ByteImage& bytes) {
+  write_png(set_folder / image, eye_of(view, bytes, 0));
+  std::vector<EyePicture> more;
+  for (int eye = 1; view.kind == ViewKind::omnidirectional && eye < view.views; ++eye) {
+    const std::string file = fmt::format("{}-eye{}.png", image.substr(0, image.rfind('.')), eye + 1);
+    write_png(set_folder / file, eye_of(view, bytes, eye));
+    more.push_back({file, sha256_of_file(set_folder / file)});
+  }
+  return more;
 }
 
 }  // namespace
@@ -36,8 +52,8 @@ ManifestStimulus write_stimulus(const fs::path& set_folder, const Stimulus& stim
                           .tiny_denominators = picture.composite.tiny_denominators,
                           .clipped_share = clipped_share(shown, picture.exposure_ev),
                           .sha256 = {}};
-  write_png(set_folder / record.image,
-            shown_bytes(picture.view, shown, picture.exposure_ev, picture.planar_m));
+  record.more_eyes = write_eyes(set_folder, record.image, picture.view,
+                                shown_bytes(picture.view, shown, picture.exposure_ev, picture.planar_m));
   record.sha256 = sha256_of_file(set_folder / record.image);
   return record;
 }
@@ -51,9 +67,9 @@ ManifestReference write_reference(const fs::path& set_folder, const std::string&
                            .object_ids = click_map_picture(truth),
                            .image_sha256 = {},
                            .object_ids_sha256 = {}};
-  write_png(set_folder / record.image,
-            shown_bytes(picture.view, compose_view(picture.view, reference.radiance), picture.exposure_ev,
-                        picture.planar_m));
+  record.more_eyes = write_eyes(set_folder, record.image, picture.view,
+                                shown_bytes(picture.view, compose_view(picture.view, reference.radiance),
+                                            picture.exposure_ev, picture.planar_m));
   write_png(set_folder / record.object_ids, view_click_map(picture.view, reference.object_ids));
   record.image_sha256 = sha256_of_file(set_folder / record.image);
   record.object_ids_sha256 = sha256_of_file(set_folder / record.object_ids);

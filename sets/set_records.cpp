@@ -97,6 +97,11 @@ std::optional<Json> read_record(const fs::path& path, const std::string& inputs)
   return json["record"];
 }
 
+bool have_hashes(const fs::path& set_folder, const std::vector<EyePicture>& eyes) {
+  return std::all_of(eyes.begin(), eyes.end(),
+                     [&](const EyePicture& eye) { return has_hash(set_folder, eye.image, eye.sha256); });
+}
+
 void write_record(const fs::path& path, const std::string& inputs, const Json& record) {
   const Json json = {{"inputs", inputs}, {"record", record}};
   write_file_atomically(path, json.dump(1) + "\n");
@@ -192,7 +197,8 @@ std::optional<ManifestStimulus> SetRecords::finished(const std::string& id, cons
   if (!json) return std::nullopt;
   try {
     const ManifestStimulus record = stimulus_record_from_text(json->dump(), path.string());
-    if (has_hash(set_folder_, record.image, record.sha256)) return record;
+    if (has_hash(set_folder_, record.image, record.sha256) && have_hashes(set_folder_, record.more_eyes))
+      return record;
   } catch (const InputError&) {
     // a damaged record is unfinished work
   }
@@ -216,20 +222,27 @@ std::optional<ManifestReference> SetRecords::finished_reference(const std::strin
     reference.object_ids = json->at("object_ids").get<std::string>();
     reference.image_sha256 = json->at("image_sha256").get<std::string>();
     reference.object_ids_sha256 = json->at("object_ids_sha256").get<std::string>();
+    if (json->contains("more_eyes"))
+      for (const Json& eye : json->at("more_eyes"))
+        reference.more_eyes.push_back(
+            {eye.at("image").get<std::string>(), eye.at("sha256").get<std::string>()});
   } catch (const Json::exception&) {
     return std::nullopt;  // a damaged record is unfinished work
   }
   const bool whole = has_hash(set_folder_, reference.image, reference.image_sha256) &&
-                     has_hash(set_folder_, reference.object_ids, reference.object_ids_sha256);
+                     has_hash(set_folder_, reference.object_ids, reference.object_ids_sha256) &&
+                     have_hashes(set_folder_, reference.more_eyes);
   return whole ? std::optional(reference) : std::nullopt;
 }
 
 void SetRecords::finish_reference(const ManifestReference& reference, const std::string& inputs) const {
-  write_record(set_folder_ / "records" / ("reference-" + reference.truth + ".json"), inputs,
-               {{"image", reference.image},
-                {"object_ids", reference.object_ids},
-                {"image_sha256", reference.image_sha256},
-                {"object_ids_sha256", reference.object_ids_sha256}});
+  Json json = {{"image", reference.image},
+               {"object_ids", reference.object_ids},
+               {"image_sha256", reference.image_sha256},
+               {"object_ids_sha256", reference.object_ids_sha256}};
+  for (const EyePicture& eye : reference.more_eyes)
+    json["more_eyes"].push_back({{"image", eye.image}, {"sha256", eye.sha256}});
+  write_record(set_folder_ / "records" / ("reference-" + reference.truth + ".json"), inputs, json);
 }
 
 }  // namespace seamline::renderer

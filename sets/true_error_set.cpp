@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <functional>
 #include <tuple>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "renderer/views/depth_image.h"
 #include "renderer/views/view_picture.h"
 #include "sets/stimulus_scene.h"
+#include "sets/view_depth.h"
 #include "stimuli/definition/looks/study_look.h"
 #include "stimuli/set/manifest_pictures.h"
 #include "support/running/progress.h"
@@ -114,24 +116,31 @@ class Measuring {
     std::optional<LocalScene> depth;
     for (const ManifestStimulus& record : records) {
       const Recipe how = recipe(record.stimulus.artifact, record.stimulus.isolation);
-      if (how.answers.needs_depth() && !depth)
+      const bool has_parallax = scene.definition.view.parallax == Parallax::depth;
+      if ((how.answers.needs_depth() || has_parallax) && !depth)
         depth.emplace(stimulus_scene(scene, estimator, settings, true, threads_));
       const EstimatedStimulus made =
           estimator.stimulus(how, depth ? depth->world() : DepthWorld(nullptr), report(1, record.id));
-      measure(record, scene.definition, made.sums);
+      measure(record, scene.definition, made.sums, [&](Composite&& composite) {
+        give_depth_parallax(scene, estimator.truth(), depth ? &depth->geometry : nullptr, made.sums, threads_,
+                            composite);
+        return compose_view(scene.definition.view, composite.picture);
+      });
     }
   }
 
-  void measure(const ManifestStimulus& record, const SceneDefinition& scene, const StimulusSums& reference) {
+  /// `seen` makes of a composite what people would be shown.
+  void measure(const ManifestStimulus& record, const SceneDefinition& scene, const StimulusSums& reference,
+               const std::function<Image(Composite&&)>& seen) {
     const View& view = scene.view;
     const double exposure_ev = scene.exposure_ev;
-    ByteImage shown = read_manifest_picture(request_.set_folder,
-                                            {record.image, record.sha256, study_.width_px, study_.height_px});
+    ByteImage shown =
+        read_all_eyes(request_.set_folder, {record.image, record.sha256, study_.width_px, study_.height_px},
+                      record.more_eyes);
     if (view.kind == ViewKind::depth_image) shown = half_of(shown, false);
-    const TrueError error = true_error(shown,
-                                       {compose_view(view, compose_half(reference, 0).picture),
-                                        compose_view(view, compose_half(reference, 1).picture)},
-                                       exposure_ev, is_panorama(scene));
+    const TrueError error =
+        true_error(shown, {seen(compose_half(reference, 0)), seen(compose_half(reference, 1))}, exposure_ev,
+                   is_panorama(scene));
     const TrueErrorRecord result{.rmse = error.rmse(),
                                  .standard_error = error.standard_error(),
                                  .worst_tile = error.worst_tile_rmse(),
@@ -139,8 +148,7 @@ class Measuring {
                                  .picture_sha256 = record.sha256};
     write_png(
         request_.set_folder / ("worst-tile-" + record.id + ".png"),
-        worst_tile_picture(shown, display_image(compose_view(view, compose(reference).picture), exposure_ev),
-                           error.worst_tile(),
+        worst_tile_picture(shown, display_image(seen(compose(reference)), exposure_ev), error.worst_tile(),
                            fmt::format("{}: error {:.4f} in this tile, {:.4f} in the picture (display units)",
                                        record.id, result.worst_tile, result.rmse)));
     errors_[record.id] = result;

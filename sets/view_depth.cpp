@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "renderer/views/depth_image.h"
+#include "renderer/views/depth_parallax.h"
 
 namespace seamline::renderer {
 namespace {
@@ -30,6 +31,19 @@ Image stimulus_depth(const TruthScene& scene, const ObjectGeometry& truth, const
     if (!real_m || !object_m) return real_m ? real_m : object_m;
     return std::optional(std::min(*real_m, *object_m));
   });
+}
+
+void give_depth_parallax(const TruthScene& scene, const TruthSums& truth, const Geometry* mesh,
+                         const StimulusSums& sums, int threads, Composite& composite) {
+  if (scene.definition.view.parallax != Parallax::depth || mesh == nullptr) return;
+  const Image photographs = background_image(truth);
+  take_depth_parallax({.view = scene.definition.view,
+                       .camera = scene.camera,
+                       .photographs = photographs,
+                       .mesh = *mesh,
+                       .sums = sums,
+                       .threads = threads},
+                      composite);
 }
 
 }  // namespace seamline::renderer

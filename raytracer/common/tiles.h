@@ -7,10 +7,11 @@
 namespace seamline::renderer {
 
 /// Of a panorama's row: its pixels' solid angle over the mean of all rows. The sum over the rows is their
-/// number.
-[[nodiscard]] inline double panorama_row_weight(int y, int height_px) {
-  const double half_row_rad = 0.5 * std::numbers::pi / height_px;
-  return height_px * std::sin(half_row_rad) * std::sin((2 * y + 1) * half_row_rad);
+/// number. A panorama is twice as wide as high: in a higher picture several stand one above the other.
+[[nodiscard]] inline double panorama_row_weight(int y, int width_px, int height_px) {
+  const int rows = std::min(height_px, std::max(1, width_px / 2));
+  const double half_row_rad = 0.5 * std::numbers::pi / rows;
+  return rows * std::sin(half_row_rad) * std::sin((2 * (y % rows) + 1) * half_row_rad);
 }
 
 /// The picture cut into squares.
@@ -48,7 +49,7 @@ struct SquareGrid {
     if (!wraps) return pixels(square);
     const Rectangle r = rectangle(square);
     double rows = 0;
-    for (int y = r.top; y < r.bottom; ++y) rows += panorama_row_weight(y, height_px);
+    for (int y = r.top; y < r.bottom; ++y) rows += panorama_row_weight(y, width_px, height_px);
     return rows * (r.right - r.left);
   }
   /// The square's share of the picture.

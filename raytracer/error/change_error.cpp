@@ -29,7 +29,10 @@ std::vector<int> kept_rows(int height_px) {
 ErrorMap error_map(const HalfPictures& pictures, const std::array<Image, 2>& filtered_more,
                    double exposure_ev, int threads, bool panorama) {
   const Image& any = pictures.filtered[0];
-  ErrorMap map{.rows = kept_rows(any.height_px), .height_px = any.height_px, .wraps = panorama};
+  ErrorMap map{.rows = kept_rows(any.height_px),
+               .width_px = any.width_px,
+               .height_px = any.height_px,
+               .wraps = panorama};
   const std::size_t a_row = any.index(0, 1), values = a_row * map.rows.size();
   for (auto* one : {&map.off[0], &map.off[1], &map.filtered_by[0], &map.filtered_by[1], &map.rounded_by})
     one->resize(values);
@@ -71,7 +74,7 @@ double change_error(const ErrorMap& before, const ErrorMap& now) {
       of_filters += change(before.filtered_by[0], now.filtered_by[0], i) *
                     change(before.filtered_by[1], now.filtered_by[1], i);
     }
-    const double weight = now.wraps ? panorama_row_weight(now.rows[row], now.height_px) : 1.0;
+    const double weight = now.wraps ? panorama_row_weight(now.rows[row], now.width_px, now.height_px) : 1.0;
     samples += weight * of_samples;
     filters += weight * of_filters;
     weights += weight * static_cast<double>(a_row);

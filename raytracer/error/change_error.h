@@ -14,8 +14,8 @@ struct ErrorMap {
   /// The rows that are kept: all of a small picture, and so many of a larger one that a map has no more than
   /// about 270 of them.
   std::vector<int> rows = {};
-  int height_px = 0;   ///< of the picture
-  bool wraps = false;  ///< a panorama, whose rows count by their solid angle
+  int width_px = 0, height_px = 0;  ///< of the picture
+  bool wraps = false;               ///< a panorama, whose rows count by their solid angle
   /// The whole less each half, times the root of `unseen_specks`.
   std::array<std::vector<std::int16_t>, 2> off = {};
   std::array<std::vector<std::int16_t>, 2> filtered_by = {};  ///< what the filter changed in each half

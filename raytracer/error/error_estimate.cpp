@@ -11,7 +11,7 @@ SquaredError block_error(const HalfPictures& pictures, const BlockGrid& blocks, 
   const BlockGrid::Rectangle block = blocks.rectangle(number);
   SquaredError sum;
   for (int y = block.top; y < block.bottom; ++y) {
-    const double weight = blocks.wraps ? panorama_row_weight(y, blocks.height_px) : 1.0;
+    const double weight = blocks.wraps ? panorama_row_weight(y, blocks.width_px, blocks.height_px) : 1.0;
     for (int x = block.left; x < block.right; ++x)
       for (int c = 0; c < 3; ++c) {
         const float a = pictures.filtered[0].at(x, y, c) * gain, b = pictures.filtered[1].at(x, y, c) * gain;

@@ -20,7 +20,7 @@ TrueError mean_over_tiles(const TileGrid& grid, const Product& product, const Va
     const TileGrid::Rectangle r = grid.rectangle(tile);
     double tile_sum = 0, tile_count = 0;
     for (int y = r.top; y < r.bottom; ++y) {
-      const double weight = grid.wraps ? panorama_row_weight(y, grid.height_px) : 1.0;
+      const double weight = grid.wraps ? panorama_row_weight(y, grid.width_px, grid.height_px) : 1.0;
       for (int x = r.left; x < r.right; ++x) {
         const int number = values(x, y);
         if (number == 0) continue;

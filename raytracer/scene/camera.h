@@ -20,13 +20,16 @@ struct CameraEye {
   Eigen::Vector3f place_m = Eigen::Vector3f::Zero();  ///< from the camera's own place
   /// Tangent by which its frustum leans to the right, so that all eyes' frusta meet in the window.
   float lean = 0;
+  float right_m = 0;  ///< of panoramas: how far to the right of the axis it stands, facing each direction
 };
 
-/// Eyes whose pictures stand side by side in a camera's picture (raytracer/scene/eyes.h).
+/// Eyes whose pictures stand side by side in a camera's picture, those of panoramas one above the other
+/// (raytracer/scene/eyes.h).
 struct CameraEyes {
   std::vector<CameraEye> eyes;  ///< from the left to the right
   int width_px = 0;             ///< of one eye's picture
   float squeeze = 1;            ///< how many times as wide as high a pixel is
+  int panorama_rows = 0;        ///< of one eye's panorama; 0: no panoramas
 };
 
 /// A pinhole camera at the origin of the renderer's frame (everything is recentred on it), axes of the world.
@@ -54,6 +57,8 @@ struct Camera {
   /// Unit direction through a place within pixel (x, y), 0 to 1 to the right and down.
   [[nodiscard]] Eigen::Vector3f direction_within(int x, int y, float right, float down) const {
     if (!eyes) return direction(static_cast<float>(x) + right, static_cast<float>(y) + down);
+    if (eyes->panorama_rows > 0)
+      return direction(static_cast<float>(x) + right, static_cast<float>(y % eyes->panorama_rows) + down);
     const int eye = x / eyes->width_px;
     const float scale = 2.0F * tan_half_horizontal / static_cast<float>(eyes->width_px);
     const float column = static_cast<float>(x - eye * eyes->width_px) + right;
@@ -69,8 +74,13 @@ struct Camera {
     return direction_within(x, y, 0.5F, 0.5F);
   }
   /// Where the eye is that sees a pixel.
-  [[nodiscard]] Eigen::Vector3f place_m(int x) const {
+  [[nodiscard]] Eigen::Vector3f place_m(int x, int y) const {
     if (!eyes) return Eigen::Vector3f::Zero();
+    if (eyes->panorama_rows > 0) {
+      const Eigen::Vector3f ahead = centre_direction(x, y);
+      return eyes->eyes[static_cast<std::size_t>(y / eyes->panorama_rows)].right_m *
+             Eigen::Vector3f(-ahead.z(), 0, ahead.x()).normalized();
+    }
     return eyes->eyes[static_cast<std::size_t>(x / eyes->width_px)].place_m;
   }
 };
@@ -78,7 +88,7 @@ struct Camera {
 /// The camera ray of one sample of a pixel.
 [[nodiscard]] inline Ray camera_ray(const Camera& camera, int x, int y, const Sampler& sampler) {
   const Eigen::Array2f jitter = sampler.point(dimension::pixel);
-  return {camera.place_m(x), camera.direction_within(x, y, jitter[0], jitter[1])};
+  return {camera.place_m(x, y), camera.direction_within(x, y, jitter[0], jitter[1])};
 }
 
 /// Where that ray passes the picture: 0 to 1 across and down.
@@ -90,7 +100,7 @@ struct Camera {
 
 /// The camera ray through the centre of a pixel.
 [[nodiscard]] inline Ray centre_ray(const Camera& camera, int x, int y) {
-  return {camera.place_m(x), camera.centre_direction(x, y)};
+  return {camera.place_m(x, y), camera.centre_direction(x, y)};
 }
 
 /// The nearest surfaces along camera rays. Those of one eye at the origin need no search in the local scene,

@@ -57,7 +57,8 @@ class EmitterPieces {
   using Corners = std::array<Eigen::Vector3f, 3>;
 
   static float pixel_angle(const Camera& camera) {
-    const int x = camera.width_px / 2, y = camera.height_px / 2;
+    const bool panoramas = camera.eyes && camera.eyes->panorama_rows > 0;
+    const int x = camera.width_px / 2, y = (panoramas ? camera.eyes->panorama_rows : camera.height_px) / 2;
     return std::max(
         1e-6F,
         (camera.direction_within(x, y, 0.0F, 0.5F) - camera.direction_within(x, y, 1.0F, 0.5F)).norm());
@@ -100,24 +101,29 @@ class EmitterPieces {
   std::vector<EmitterPiece> pieces_;
 };
 
-Eigen::Vector3f seen_direction(const Camera& camera, int pixel_x, float x, float y) {
-  // The column decides which eye looks: a square's right edge belongs to its own pixel.
-  const auto row = static_cast<int>(y);
-  return camera.direction_within(pixel_x, row, x - static_cast<float>(pixel_x), y - static_cast<float>(row));
+/// A pixel of a picture.
+struct PixelPlace {
+  int x = 0, y = 0;
+};
+
+Eigen::Vector3f seen_direction(const Camera& camera, const PixelPlace& pixel, float x, float y) {
+  // The pixel decides which eye looks: a square's right and lower edges belong to it.
+  return camera.direction_within(pixel.x, pixel.y, x - static_cast<float>(pixel.x),
+                                 y - static_cast<float>(pixel.y));
 }
 
 /// Around all directions through squares that lie in the columns of one eye; a full sphere where a lens lets
 /// none through.
-ViewCone cone_around(const Camera& camera, int pixel_x, const PictureSquare& square) {
-  ViewCone cone{camera.place_m(pixel_x),
-                seen_direction(camera, pixel_x, square.left + 0.5F * square.side_px,
-                               square.top + 0.5F * square.side_px),
-                0.0F};
+ViewCone cone_around(const Camera& camera, const PixelPlace& pixel, const PictureSquare& square) {
+  ViewCone cone{
+      camera.place_m(pixel.x, pixel.y),
+      seen_direction(camera, pixel, square.left + 0.5F * square.side_px, square.top + 0.5F * square.side_px),
+      0.0F};
   constexpr float everywhere_rad = 4.0F;
   if (!(cone.axis.norm() > 0.5F)) cone.half_rad = everywhere_rad;
   for (const float right : {0.0F, 0.5F, 1.0F})
     for (const float down : {0.0F, 0.5F, 1.0F}) {
-      const Eigen::Vector3f corner = seen_direction(camera, pixel_x, square.left + right * square.side_px,
+      const Eigen::Vector3f corner = seen_direction(camera, pixel, square.left + right * square.side_px,
                                                     square.top + down * square.side_px);
       if (!(corner.norm() > 0.5F)) cone.half_rad = everywhere_rad;
       const float angle_rad = std::atan2(cone.axis.cross(corner).norm(), cone.axis.dot(corner));
@@ -146,7 +152,7 @@ std::vector<PictureSquare> squares_that_meet(const Camera& camera, int x, int y,
       for (const float top : {square.top, square.top + half_px})
         for (const float left : {square.left, square.left + half_px}) {
           const PictureSquare part{left, top, half_px};
-          const ViewCone cone = cone_around(camera, x, part);
+          const ViewCone cone = cone_around(camera, {x, y}, part);
           if (std::any_of(pieces.begin(), pieces.end(),
                           [&](const EmitterPiece& piece) { return cone.meets(piece); }))
             smaller.push_back(part);
@@ -197,7 +203,7 @@ std::vector<Rgb> class_means(const TruthScene& scene, const SceneGeometry& geome
                              const Pieces& pieces) {
   const Camera& camera = scene.camera;
   const auto ray_through = [&](float across, float down) {
-    return Ray{camera.place_m(x), seen_direction(camera, x, across, down)};
+    return Ray{camera.place_m(x, y), seen_direction(camera, {x, y}, across, down)};
   };
   ClassSums emitted(geometry.worlds.count()), all(geometry.worlds.count());
   for (const PictureSquare& square : squares_that_meet(camera, x, y, pieces)) {
@@ -235,12 +241,12 @@ std::shared_ptr<const SeenEmission> find_seen_emission(const TruthScene& scene, 
     const PictureSquare whole{static_cast<float>(r.left), static_cast<float>(r.top),
                               static_cast<float>(BlockGrid::side_px)};
     const Pieces near = one_eye && !camera.directions
-                            ? pieces_in(cone_around(camera, r.left, whole), pieces.all())
+                            ? pieces_in(cone_around(camera, {r.left, r.top}, whole), pieces.all())
                             : pieces.all();
     for (int y = r.top; !near.empty() && y < r.bottom; ++y)
       for (int x = r.left; x < r.right; ++x) {
         const PictureSquare pixel{static_cast<float>(x), static_cast<float>(y), 1.0F};
-        const Pieces here = pieces_in(cone_around(camera, x, pixel), near);
+        const Pieces here = pieces_in(cone_around(camera, {x, y}, pixel), near);
         if (std::any_of(here.begin(), here.end(), [](const EmitterPiece& piece) { return piece.is_small; }))
           of_blocks[static_cast<std::size_t>(block)].emplace_back(blocks.index(x, y),
                                                                   class_means(scene, geometry, x, y, here));

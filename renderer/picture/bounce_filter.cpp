@@ -233,7 +233,7 @@ Surface surface_of(const SeenSurface& sums, float samples, const Camera& camera,
   const float length = sums.normal.norm();
   if (length > 0.0F) surface.normal = sums.normal / length;
   surface.position_m = camera.centre_direction(x, y) * surface.distance_m;
-  if (camera.eyes) surface.position_m += camera.place_m(x);
+  if (camera.eyes) surface.position_m += camera.place_m(x, y);
   surface.albedo = (sums.albedo / samples).max(1e-4F);
   return surface;
 }

@@ -28,6 +28,14 @@ ByteImage seen_by_most(const ByteImage& all_eyes, int eyes) {
   return ids;
 }
 
+/// Without the one from the axis, which eyes see only on the mesh.
+Image panoramas_of_eyes(const View& view, const Image& all) {
+  if (view.panoramas() == view.views) return all;
+  Image eyes(all.width_px, all.height_px / view.panoramas() * view.views, all.channels);
+  std::copy_n(all.values.begin(), eyes.values.size(), eyes.values.begin());
+  return eyes;
+}
+
 }  // namespace
 
 Image compose_view(const View& view, const Image& all_eyes) {
@@ -36,6 +44,8 @@ Image compose_view(const View& view, const Image& all_eyes) {
     case ViewKind::side_by_side:
     case ViewKind::depth_image:
       return all_eyes;
+    case ViewKind::omnidirectional:
+      return panoramas_of_eyes(view, all_eyes);
     case ViewKind::anaglyph:
       return anaglyph(view.matrix, all_eyes);
     case ViewKind::interleaved:
@@ -58,6 +68,14 @@ ByteImage shown_bytes(const View& view, const Image& picture, double exposure_ev
   return beside(bytes, depth_codes(planar_m, view.max_depth_m));
 }
 
+ByteImage eye_of(const View& view, const ByteImage& all_eyes, int eye) {
+  if (view.kind != ViewKind::omnidirectional) return all_eyes;
+  ByteImage one{all_eyes.width_px, all_eyes.width_px / 2, all_eyes.channels, {}};
+  const std::ptrdiff_t values = std::ptrdiff_t{one.width_px} * one.height_px * one.channels;
+  one.values.assign(all_eyes.values.begin() + eye * values, all_eyes.values.begin() + (eye + 1) * values);
+  return one;
+}
+
 ByteImage view_click_map(const View& view, const ByteImage& all_eyes) {
   switch (view.kind) {
     case ViewKind::mono:
@@ -69,6 +87,8 @@ ByteImage view_click_map(const View& view, const ByteImage& all_eyes) {
     case ViewKind::depth_image:
       return beside(all_eyes, {all_eyes.width_px, all_eyes.height_px, 1,
                                std::vector<std::uint8_t>(all_eyes.values.size())});
+    case ViewKind::omnidirectional:
+      return eye_of(view, all_eyes, 0);
   }
   return all_eyes;
 }

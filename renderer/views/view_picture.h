@@ -19,9 +19,14 @@ namespace seamline::renderer {
 [[nodiscard]] ByteImage shown_bytes(const View& view, const Image& picture, double exposure_ev,
                                     const Image& planar_m);
 
+/// One eye's panorama of those that stand one above the other, counted from the left; of other views'
+/// pictures the whole.
+[[nodiscard]] ByteImage eye_of(const View& view, const ByteImage& all_eyes, int eye);
+
 /// Which object a click means, of the click map of a view's camera (0 background, objects from 1). Where one
 /// pixel shows several eyes, the object that most of them see there, the left one of equals; the background
-/// only where all see it. Depth beside a picture is background: nothing is chosen there.
+/// only where all see it. Depth beside a picture is background: nothing is chosen there. Of panoramas for
+/// each eye the left eye's.
 [[nodiscard]] ByteImage view_click_map(const View& view, const ByteImage& all_eyes);
 
 }  // namespace seamline::renderer

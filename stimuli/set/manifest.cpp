@@ -33,6 +33,22 @@ Json whole_where_whole(double value) {
   return value == std::trunc(value) ? Json(static_cast<std::int64_t>(value)) : Json(value);
 }
 
+/// Of panoramas for each eye only: other sets keep their bytes.
+void add_eyes(const std::vector<EyePicture>& more_eyes, Json& json) {
+  for (const EyePicture& eye : more_eyes)
+    json["more_eyes"].push_back({{"image", eye.image}, {"sha256", eye.sha256}});
+}
+
+std::vector<EyePicture> read_eyes(const JsonFields& fields, const std::string& file) {
+  std::vector<EyePicture> eyes;
+  if (!fields.has("more_eyes")) return eyes;
+  for (const Json& item : fields.array("more_eyes")) {
+    const JsonFields eye(item, file, "more_eyes[" + std::to_string(eyes.size()) + "].");
+    eyes.push_back({eye.file_below("image"), eye.get<std::string>("sha256")});
+  }
+  return eyes;
+}
+
 Json to_json(const ManifestStimulus& record) {
   const Stimulus& stimulus = record.stimulus;
   Json json;
@@ -89,6 +105,7 @@ Json to_json(const ManifestStimulus& record) {
                                {"not_finite_pixels", record.tiny_denominators.not_finite_pixels}};
   json["clipped_share"] = record.clipped_share;
   json["sha256"] = record.sha256;
+  add_eyes(record.more_eyes, json);
   return json;
 }
 
@@ -174,7 +191,7 @@ std::string read_id(const JsonFields& fields) {
   return id;
 }
 
-ManifestStimulus read_record(const JsonFields& fields) {
+ManifestStimulus read_record(const JsonFields& fields, const std::string& file) {
   ManifestStimulus record;
   record.id = read_id(fields);
   record.stimulus = read_stimulus(fields);
@@ -220,6 +237,7 @@ ManifestStimulus read_record(const JsonFields& fields) {
       tiny.get<std::int64_t>("sealed_pixels"), tiny.get<std::int64_t>("not_finite_pixels")};
   record.clipped_share = fields.get<double>("clipped_share");
   record.sha256 = fields.get<std::string>("sha256");
+  record.more_eyes = read_eyes(fields, file);
   return record;
 }
 
@@ -230,6 +248,7 @@ Json to_json(const ManifestReference& reference) {
   json["object_ids"] = reference.object_ids;
   json["image_sha256"] = reference.image_sha256;
   json["object_ids_sha256"] = reference.object_ids_sha256;
+  add_eyes(reference.more_eyes, json);
   return json;
 }
 
@@ -297,12 +316,13 @@ Manifest read_manifest(const std::filesystem::path& set_folder) {
                                "references[" + std::to_string(manifest.references.size()) + "].");
     manifest.references.push_back(
         {read_truth(reference, "scene"), reference.file_below("image"), reference.file_below("object_ids"),
-         reference.get<std::string>("image_sha256"), reference.get<std::string>("object_ids_sha256")});
+         reference.get<std::string>("image_sha256"), reference.get<std::string>("object_ids_sha256"),
+         read_eyes(reference, path.string())});
   }
   std::set<std::string> ids;
   for (const Json& item : fields.array("stimuli")) {
     const JsonFields record(item, path.string(), "stimuli[" + std::to_string(manifest.stimuli.size()) + "].");
-    manifest.stimuli.push_back(read_record(record));
+    manifest.stimuli.push_back(read_record(record, path.string()));
     if (!ids.insert(manifest.stimuli.back().id).second)
       throw record.complaint("id", "an id that no other stimulus has", manifest.stimuli.back().id);
     if (manifest.stimuli.back().stimulus.quantity != level_quantity(manifest))
@@ -348,7 +368,7 @@ std::string stimulus_record_text(const ManifestStimulus& record) {
 
 ManifestStimulus stimulus_record_from_text(const std::string& text, const std::string& file) {
   const Json json = parse(text, file);
-  return read_record(JsonFields(json, file, ""));
+  return read_record(JsonFields(json, file, ""), file);
 }
 
 std::string set_hash(const std::filesystem::path& set_folder) {

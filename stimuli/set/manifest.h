@@ -15,6 +15,11 @@ inline constexpr int manifest_version = 1;
 /// first kind.
 inline constexpr int manifest_version_with_conditions = 2;
 
+/// A picture of another eye than the left one, of panoramas for each eye.
+struct EyePicture {
+  std::string image, sha256;
+};
+
 struct TinyDenominators {
   std::int64_t floored_pixels = 0;  ///< ratio taken as 1, because S_no was under 1e-6 of the frame's median
   std::int64_t clamped_pixels = 0;  ///< ratio clamped to 0..4
@@ -75,6 +80,8 @@ struct ManifestStimulus {
   TinyDenominators tiny_denominators;
   double clipped_share = 0;  ///< share of channel values over display white
   std::string sha256;        ///< of the image file
+  /// Of panoramas for each eye: `image` is the left eye's, these the others', from the left to the right.
+  std::vector<EyePicture> more_eyes = {};
 };
 
 /// A reference picture and its click map: one for each truth, which is a scene with one light.
@@ -82,6 +89,7 @@ struct ManifestReference {
   std::string truth;  ///< as stimuli name it; the scene's name where the scene has one light
   std::string image, object_ids;
   std::string image_sha256, object_ids_sha256;
+  std::vector<EyePicture> more_eyes = {};  ///< as of stimuli
 };
 
 /// A rendered stimulus set: `SET/manifest.json`, byte-equal for equal input.

@@ -85,12 +85,19 @@ const ManifestReference& reference_of(const fs::path& set_folder, const Manifest
 
 std::vector<ManifestPicture> manifest_pictures(const Manifest& manifest) {
   std::vector<ManifestPicture> files;
+  const auto add_eyes = [&](const std::vector<EyePicture>& more_eyes) {
+    for (const EyePicture& eye : more_eyes)
+      files.push_back({eye.image, eye.sha256, manifest.width_px, manifest.height_px, 3});
+  };
   for (const ManifestReference& reference : manifest.references) {
     files.push_back(reference_picture(manifest, reference));
     files.push_back(click_map_picture(manifest, reference));
+    add_eyes(reference.more_eyes);
   }
-  for (const ManifestStimulus& stimulus : manifest.stimuli)
+  for (const ManifestStimulus& stimulus : manifest.stimuli) {
     files.push_back(stimulus_picture(manifest, stimulus));
+    add_eyes(stimulus.more_eyes);
+  }
   const auto less = [](const ManifestPicture& a, const ManifestPicture& b) {
     return std::tie(a.file, a.sha256, a.channels) < std::tie(b.file, b.sha256, b.channels);
   };
@@ -115,6 +122,18 @@ ByteImage read_manifest_picture(const fs::path& set_folder, const ManifestPictur
   ByteImage image = read_bytes_image(path);
   check_shape(path, wanted, {image.width_px, image.height_px, image.channels});
   return image;
+}
+
+ByteImage read_all_eyes(const fs::path& set_folder, const ManifestPicture& left,
+                        const std::vector<EyePicture>& more_eyes) {
+  ByteImage all = read_manifest_picture(set_folder, left);
+  for (const EyePicture& eye : more_eyes) {
+    const ByteImage one = read_manifest_picture(
+        set_folder, {eye.image, eye.sha256, left.width_px, left.height_px, left.channels});
+    all.values.insert(all.values.end(), one.values.begin(), one.values.end());
+    all.height_px += one.height_px;
+  }
+  return all;
 }
 
 void check_manifest_shapes(const fs::path& set_folder, const Manifest& manifest) {

@@ -43,6 +43,10 @@ void check_manifest_picture(const std::filesystem::path& set_folder, const Manif
 [[nodiscard]] ByteImage read_manifest_picture(const std::filesystem::path& set_folder,
                                               const ManifestPicture& wanted);
 
+/// The left eye's panorama and below it those of the other eyes; without others the picture itself.
+[[nodiscard]] ByteImage read_all_eyes(const std::filesystem::path& set_folder, const ManifestPicture& left,
+                                      const std::vector<EyePicture>& more_eyes);
+
 /// Throws InputError naming the first picture of the set that is not there or has another shape than the
 /// manifest says. Reads no more than headers: thousands take a tenth of a second.
 void check_manifest_shapes(const std::filesystem::path& set_folder, const Manifest& manifest);

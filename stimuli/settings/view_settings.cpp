@@ -35,8 +35,8 @@ bool uses(ViewKind kind, std::string_view key) {
 
 std::string kinds_that_use(std::string_view key) {
   std::string text;
-  for (const ViewKind kind :
-       {ViewKind::side_by_side, ViewKind::anaglyph, ViewKind::interleaved, ViewKind::depth_image})
+  for (const ViewKind kind : {ViewKind::side_by_side, ViewKind::anaglyph, ViewKind::interleaved,
+                              ViewKind::depth_image, ViewKind::omnidirectional})
     if (uses(kind, key)) text += fmt::format("{}\"{}\"", text.empty() ? "" : " or ", word_of(kind));
   return text;
 }

@@ -6,8 +6,10 @@
 namespace seamline::inline stimuli {
 
 template <>
-inline constexpr std::array<std::string_view, 5> words_of<ViewKind> = {"mono", "side_by_side", "anaglyph",
-                                                                       "interleaved", "2d_plus_depth"};
+inline constexpr std::array<std::string_view, 6> words_of<ViewKind> = {
+    "mono", "side_by_side", "anaglyph", "interleaved", "2d_plus_depth", "omnidirectional"};
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<Parallax> = {"truth", "depth"};
 template <>
 inline constexpr std::array<std::string_view, 4> words_of<AnaglyphMatrix> = {"colour", "half_colour", "grey",
                                                                              "dubois"};
@@ -56,13 +58,17 @@ inline constexpr auto settings_of<View> = std::to_array<Setting<View>>({
      .usual = "required"},
     {.key = "",
      .slot = &View::views,
-     .beside = {.key = "kind", .words = {"side_by_side", "anaglyph", "interleaved"}, .is_refused = false},
+     .beside = {.key = "kind",
+                .words = {"side_by_side", "anaglyph", "interleaved", "omnidirectional"},
+                .is_refused = false},
      .wording = {.before = ", ", .after = " views", .written = Written::where_used}},
     {.key = "separation_m",
      .slot = &View::separation_m,
      .range = {1e-6, 1000, "m"},
      .meaning = "Between neighbouring eyes.",
-     .beside = {.key = "kind", .words = {"side_by_side", "anaglyph", "interleaved"}, .is_refused = false},
+     .beside = {.key = "kind",
+                .words = {"side_by_side", "anaglyph", "interleaved", "omnidirectional"},
+                .is_refused = false},
      .wording = {.before = " ", .after = " m apart", .written = Written::where_used},
      .changes = Changes::truth},
     {.key = "zero_parallax_m",
@@ -77,13 +83,21 @@ inline constexpr auto settings_of<View> = std::to_array<Setting<View>>({
      .slot = &View::views,
      .range = {2, 64, "views"},
      .meaning = "Number of eyes.",
-     .beside = {.key = "kind", .words = {"interleaved"}, .is_refused = false},
+     .beside = {.key = "kind", .words = {"interleaved", "omnidirectional"}, .is_refused = false},
      .changes = Changes::truth},
     {.key = "matrix",
      .slot = choice<&View::matrix>(),
      .meaning = "Colours of the glasses' picture.",
      .beside = {.key = "kind", .words = {"anaglyph"}, .is_refused = false},
      .wording = {.before = ", matrix ", .written = Written::where_used},
+     .changes = Changes::truth},
+    {.key = "parallax",
+     .slot = choice<&View::parallax>(),
+     .meaning =
+         "Where the parallax of real surfaces comes from: a photograph for each eye, or one photograph on "
+         "the depth mesh.",
+     .beside = {.key = "kind", .words = {"omnidirectional"}, .is_refused = false},
+     .wording = {.before = ", parallax by ", .written = Written::where_unusual},
      .changes = Changes::truth},
     {.key = "",
      .slot = Part<View>{.text = sheet_text, .is_usual = is_usual_sheet},

@@ -13,8 +13,8 @@ namespace seamline::inline stimuli {
 namespace {
 
 constexpr std::array view_keys = {
-    "separation_m", "zero_parallax_m",  "views",  "preset",      "pitch_subpixels",
-    "slant_deg",    "offset_subpixels", "matrix", "max_depth_m", "panel_px"};
+    "separation_m",     "zero_parallax_m", "views",       "preset",   "pitch_subpixels", "slant_deg",
+    "offset_subpixels", "matrix",          "max_depth_m", "panel_px", "parallax"};
 
 std::array<int, 2> read_panel(const TomlTable& table, const std::array<int, 2>& usual) {
   if (!table.has("panel_px")) return usual;
@@ -36,7 +36,7 @@ class SoundView {
     if (view_.is_mono()) return;
     if (view_.kind == ViewKind::depth_image && !(view_.max_depth_m > 0))
       complain("view.max_depth_m", "the depth in metres that 1 stands for", "none");
-    if (view_.kind != ViewKind::depth_image && !(view_.zero_parallax_m > 0))
+    if (uses(view_.kind, "zero_parallax_m") && !(view_.zero_parallax_m > 0))
       complain("view.zero_parallax_m", "the distance in metres at which the screen seems to be", "none");
     if (view_.kind == ViewKind::interleaved && !view_.names_panel())
       complain("view.panel_px",
@@ -50,7 +50,14 @@ class SoundView {
       complain("view.panel_px",
                fmt::format("at least the picture's {} x {}", study_.width_px, study_.height_px),
                fmt::format("{} x {}", view_.panel_px[0], view_.panel_px[1]));
-    if (view_.eyes() * (study_.width_px / view_.squeeze()) > limits::largest_picture_side_px)
+    if (view_.kind == ViewKind::omnidirectional) {
+      if (view_.panoramas() * study_.height_px > limits::largest_picture_side_px)
+        complain(
+            "view.views",
+            fmt::format("at most {} rows in all eyes' panoramas together, which stand one above the other",
+                        limits::largest_picture_side_px),
+            fmt::format("{} panoramas of {}", view_.panoramas(), study_.height_px));
+    } else if (view_.eyes() * (study_.width_px / view_.squeeze()) > limits::largest_picture_side_px)
       complain(
           "view.views",
           fmt::format("at most {} columns in all eyes' pictures together", limits::largest_picture_side_px),

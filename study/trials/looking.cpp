@@ -8,6 +8,8 @@
 #include <numbers>
 #include <utility>
 
+#include "support/arithmetic/random.h"
+
 namespace seamline::study {
 namespace {
 
@@ -132,6 +134,13 @@ Pose pose_towards(const ObjectMap& map, const PictureFrame& frame) {
   const double x = (frame.x_px + frame.width_px / 2) / map.width_px,
                y = (frame.y_px + frame.height_px / 2) / map.height_px;
   return {std::fmod((x - 0.5) * 360 + 540, 360) - 180, (0.5 - y) * 180};
+}
+
+Pose drawn_start(const LookDefinition& look, const std::array<double, 2>& start_deg, int stimulus,
+                 int trial_index) {
+  if (!(look.start_spread_deg > 0)) return {start_deg[0], start_deg[1]};
+  Random random(static_cast<std::uint64_t>(stimulus), static_cast<std::uint64_t>(trial_index));
+  return turned(look, {start_deg[0], start_deg[1]}, (2 * random.uniform() - 1) * look.start_spread_deg, 0);
 }
 
 double degrees_per_pixel(const LookDefinition& look) {

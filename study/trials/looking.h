@@ -42,6 +42,11 @@ struct ViewPlace {
 [[nodiscard]] int object_in_view(const LookDefinition& look, const Pose& pose, const ObjectMap& map,
                                  const ViewPlace& at);
 
+/// Where a trial begins whose picture begins at a start: beside it by `start_spread_deg` at most, as drawn
+/// from the stimulus and the trial's place in its order, within the limits.
+[[nodiscard]] Pose drawn_start(const LookDefinition& look, const std::array<double, 2>& start_deg,
+                               int stimulus, int trial_index);
+
 /// Turned by so many degrees, within the look's limits; a view that does not turn stays.
 [[nodiscard]] Pose turned(const LookDefinition& look, const Pose& pose, double right_deg, double up_deg);
 /// The pose whose middle is a frame's.

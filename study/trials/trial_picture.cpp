@@ -40,6 +40,18 @@ ByteImage load_trial_picture(const RenderedSet& set, const Trial& trial) {
   return {};
 }
 
+ByteImage load_all_eyes(const RenderedSet& set, const Trial& trial) {
+  const ManifestStimulus& record = record_of(set, trial);
+  if (trial.kind == TrialKind::stimulus)
+    return read_all_eyes(set.folder, stimulus_picture(set.manifest, record), record.more_eyes);
+  const ManifestReference& reference = scene_reference(set, trial);
+  return read_all_eyes(set.folder, reference_picture(set.manifest, reference), reference.more_eyes);
+}
+
+bool has_more_eyes(const RenderedSet& set, const Trial& trial) {
+  return !record_of(set, trial).more_eyes.empty();
+}
+
 std::array<int, 2> shown_size_px(const RenderedSet& set) {
   bool pair = false;
   for (const TaskGroup& group : task_groups(set.study))

@@ -14,6 +14,11 @@ namespace seamline::study {
 /// size, or the set has no reference of the scene.
 [[nodiscard]] ByteImage load_trial_picture(const RenderedSet& set, const Trial& trial);
 
+/// Whether the trial has a panorama for each eye.
+[[nodiscard]] bool has_more_eyes(const RenderedSet& set, const Trial& trial);
+/// All eyes' panoramas of a stimulus or a reference, the left eye's on top.
+[[nodiscard]] ByteImage load_all_eyes(const RenderedSet& set, const Trial& trial);
+
 /// Grey between the two pictures of a pair.
 inline constexpr int pair_gap_px = 24;
 

@@ -96,21 +96,22 @@ const objectAt = (picture, object) =>
 async function readEyes(picture) {
   const eyes = await page.evaluate(() => globalThis.seamline.headset.read());
   assert.equal(eyes.length, 2);
-  const poses = eyes.map(({ codes: text, pose, half, middle, width, height }, at) => {
+  const poses = eyes.map(({ codes: text, pose, half, middle, width, height, panorama }, at) => {
     writeFileSync(join(codes, at + ".rgba"), Buffer.from(text, "base64"));
-    return { ...pose, half, middle, size: [width, height] };
+    return { ...pose, half, middle, size: [width, height], panorama };
   });
-  writeFileSync(join(codes, "poses.json"), JSON.stringify({ panorama: join(folder, picture), eyes: true, poses }));
+  writeFileSync(join(codes, "poses.json"), JSON.stringify({ panorama: join(folder, picture), set: join(work, "head-set"), poses }));
   const text = execFileSync("/usr/bin/python3", [join(import.meta.dirname, "panorama_view.py"), codes], { encoding: "utf8" }).trim();
-  return { text, poses, worst: Number(/difference ([0-9.]+)/.exec(text)[1]) };
+  return { text, poses, eyes: poses.map((pose) => pose.panorama), worst: Number(/difference ([0-9.]+)/.exec(text)[1]) };
 }
 
-async function compareEyes(picture) {
+async function compareEyes(picture, panoramas) {
   for (const [yaw, pitch] of [[0, 0], [75, 30], [-160, -40]]) {
     await turn(yaw, pitch);
-    const { text, poses, worst } = await readEyes(picture);
-    console.log("both eyes at yaw " + yaw + ", pitch " + pitch + ": " + text);
+    const { text, poses, eyes, worst } = await readEyes(picture);
+    console.log("both eyes of " + panoramas + (panoramas > 1 ? " panoramas" : " panorama") + " at yaw " + yaw + ", pitch " + pitch + ": " + text);
     assert.ok(worst <= 1, "both eyes are right");
+    assert.deepEqual(eyes, panoramas > 1 ? [0, 1] : [0, 0], "the left eye sees the left one");
     for (const pose of poses) assert.ok(Math.abs(around(pose.yaw_deg - yaw)) < 0.01 && Math.abs(pose.pitch_deg - pitch) < 0.01, "each looks where the head was turned");
   }
 }
@@ -118,7 +119,7 @@ async function compareEyes(picture) {
 const isAsked = () => page.evaluate(() => (globalThis.seamline.headset?.scene.words ?? null) !== null);
 const OBJECTS = 3;
 const wanted = new Map(); // by trial: {object, rating, head} as they were set
-let compared = false;
+const compared = new Set(); // by the panoramas of a picture
 const end = Date.now() + 540000;
 let seen = await look(page);
 for (; !["thanks", "stopped"].includes(seen.screen); seen = await look(page)) {
@@ -130,11 +131,12 @@ for (; !["thanks", "stopped"].includes(seen.screen); seen = await look(page)) {
     const rating = 1 + (seen.answered % 4);
     const where = await objectAt(seen.trial.picture, object);
     if (seen.phase === "choosing") {
-      if (!compared) {
-        compared = true;
-        await compareEyes(seen.trial.picture);
+      const panoramas = await page.evaluate(() => globalThis.seamline.view.eyes());
+      if (!compared.has(panoramas)) {
+        compared.add(panoramas);
+        await compareEyes(seen.trial.picture, panoramas);
         await turn(0, -10);
-        await shot("question");
+        await shot("question-" + panoramas);
       }
       await turn(where.yaw_deg, where.pitch_deg);
       await shot("object-" + object);
@@ -159,6 +161,7 @@ for (; !["thanks", "stopped"].includes(seen.screen); seen = await look(page)) {
   await page.waitForTimeout(20);
 }
 assert.equal(seen.screen, "thanks", seen.message ?? "");
+assert.deepEqual([...compared].sort(), [1, 2], "pictures of one panorama and of two were seen");
 await page.waitForFunction(() => globalThis.seamline.headset === null);
 await shot("thanks");
 

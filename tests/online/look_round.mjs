@@ -113,6 +113,22 @@ await shot("practice");
 await comparePoses((await look(page)).trial);
 await page.evaluate(() => globalThis.seamline.looking.turn(0, 0)); // the view of the trial again
 
+// A phone that is turned turns the view with it: upright, then by 30 degrees to the right and 10 up (CDP: of Chromium only).
+if (!inFirefox) {
+  const device = await page.context().newCDPSession(page);
+  const held = (alpha, beta, gamma) => device.send("DeviceOrientation.setDeviceOrientationOverride", { alpha, beta, gamma });
+  const poseOf = () => page.evaluate(() => globalThis.seamline.looking.pose());
+  await held(20, 90, 0);
+  await page.waitForTimeout(300);
+  const before = await poseOf();
+  await held(350, 100, 0);
+  await page.waitForFunction(({ yaw_deg }) => Math.abs(globalThis.seamline.looking.pose().yaw_deg - yaw_deg) > 1, before);
+  const after = await poseOf();
+  assert.ok(Math.abs(after.yaw_deg - before.yaw_deg - 30) < 0.1 && Math.abs(after.pitch_deg - before.pitch_deg - 10) < 0.1, JSON.stringify([before, after]));
+  await device.send("DeviceOrientation.clearDeviceOrientationOverride");
+  console.log("a phone turned by 30 degrees to the right and 10 up turns the view so far");
+}
+
 // Practice by keys: the arrows turn, Enter takes what is under the cross.
 const practised = (await look(page)).trial;
 for (let i = 0; i < 400 && (await look(page)).phase === "choosing"; ++i) {
@@ -159,15 +175,18 @@ const looks = messages.filter(({ kind, body }) => kind === "event" && body.kind 
 assert.equal(answers.length, 12);
 const comfort = messages.filter(({ kind, body }) => kind === "event" && body.kind === "comfort").map(({ body }) => body.detail);
 assert.deepEqual(comfort, ["2 6"], "how people feel is asked at the break");
+const starts = new Set(); // of views that turn
 answers.forEach((answer) => assert.equal(answer.chosen_index, chosen.get(answer.trial_index)));
 for (const answer of answers) {
   const poses = looks.filter((one) => one.trial_index === answer.trial_index).flatMap(({ detail }) => detail.split(";").map((pose) => pose.split(" ").map(Number)));
-  assert.ok(poses.length > 0 && poses[0][0] === 0 && Math.abs(poses[0][1]) < 0.1, "every trial says where it began");
   const moving = chosen.get(answer.trial_index) === CREATURE;
+  assert.ok(poses.length > 0 && poses[0][0] === 0 && Math.abs(poses[0][1]) <= (moving ? 20 : 0.05), "every trial says where it began");
+  if (moving) starts.add(poses[0][1]);
   assert.equal(poses.length > 3, moving, "fixed views do not move, the others do");
   if (moving) assert.ok(Math.abs(Math.abs(poses.at(-1)[1]) - 177) < 6, "it ends at the creature, behind the start");
   for (let i = 1; i < poses.length; ++i) assert.ok(poses[i][0] - poses[i - 1][0] >= 32, "at most thirty poses a second");
 }
+assert.ok(starts.size >= 5, "they begin at different directions: " + [...starts]);
 assert.equal(disruptions.size, 0, "the visit was broken off as often as it was to be");
 console.log("12 trials by mouse, broken off three times, no answer lost: " + found + " times the object behind the start was found and chosen, its poses are in the log");
 writeFileSync(join(work, "look.jsonl"), messages.map((message) => JSON.stringify(message) + "\n").join(""));

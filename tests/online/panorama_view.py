@@ -36,16 +36,34 @@ def frustum(panorama, width, height, half, middle, yaw_deg, pitch_deg):
     return (at(left, top) * (1 - s) + at(left + 1, top) * s) * (1 - r) + (at(left, top + 1) * (1 - s) + at(left + 1, top + 1) * s) * r
 
 
+def check_eyes(panorama, folder):
+    """That panoramas which stand one above the other are those of the set's files, the left eye's on top."""
+    rows = panorama.shape[1] // 2
+    if len(panorama) == rows:
+        return
+    codes = lambda path: np.asarray(Image.open(folder / path).convert("RGB"))
+    records = [one for one in json.loads((folder / "manifest.json").read_text())["stimuli"] if "more_eyes" in one]
+    of_left = [one for one in records if np.array_equal(codes(one["image"]), panorama[:rows])]
+    assert any(
+        all(np.array_equal(codes(eye["image"]), panorama[(k + 1) * rows :][:rows]) for k, eye in enumerate(one["more_eyes"])) for one in of_left
+    ), "no stimulus of the set has these panoramas"
+
+
 if __name__ == "__main__":
     folder = Path(sys.argv[1])
     asked = json.loads((folder / "poses.json").read_text())
     panorama = np.asarray(Image.open(asked["panorama"]).convert("RGB"))
+    if "set" in asked:
+        check_eyes(panorama, Path(asked["set"]))
     worst, beyond = 0.0, 0
     for i, pose in enumerate(asked["poses"]):
         at = (pose["yaw_deg"], pose["pitch_deg"])
         width, height = pose["size"] if "size" in pose else asked["view_px"]
         if "size" in pose:
-            wanted = frustum(panorama, width, height, pose["half"], pose["middle"], *at)
+            # The eyes' panoramas stand one above the other, each twice as wide as high.
+            rows = panorama.shape[1] // 2
+            eye = panorama[pose.get("panorama", 0) * rows :][:rows]
+            wanted = frustum(eye, width, height, pose["half"], pose["middle"], *at)
         else:
             wanted = view(panorama, width, height, asked["horizontal_fov_deg"], *at)
         drawn = np.fromfile(folder / f"{i}.rgba", np.uint8).reshape(height, width, 4)[::-1, :, :3]

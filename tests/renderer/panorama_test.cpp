@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "raytracer/error/error_estimate.h"
+#include "raytracer/scene/eyes.h"
 #include "raytracer/scene/panorama_camera.h"
 #include "raytracer/scene/truth_scene.h"
 #include "renderer/picture/bounce_filter.h"
@@ -36,6 +38,52 @@ TEST(Panorama, LooksWhitherThePerspectiveCameraDoesAndAllRound) {
     EXPECT_LT((panorama.direction(96, 32) - perspective.axes.col(0)).norm(), 1e-6F);
     EXPECT_LT((panorama.direction(0, 32) - panorama.direction(128, 32)).norm(), 1e-6F);
     EXPECT_LT((panorama.direction(17, 0) - Eigen::Vector3f::UnitY()).norm(), 1e-6F);
+  }
+}
+
+/// Of two eyes, and of one more panorama from the axis where parallax is the mesh's.
+Camera stereo_camera(Parallax parallax) {
+  return view_camera(camera_of(panorama_fov_deg, {2, 2, 4}),
+                     {.kind = ViewKind::omnidirectional, .separation_m = 0.2, .parallax = parallax});
+}
+
+TEST(Panorama, EachEyeSeesAPointFromItsPlaceBesideTheAxis) {
+  const Camera camera = stereo_camera(Parallax::depth);
+  ASSERT_EQ(camera.width_px, 128);
+  ASSERT_EQ(camera.height_px, 3 * 64);
+  const std::array<double, 3> eye_right_m = {-0.1, 0.1, 0};
+  Random random(3);
+  for (int i = 0; i < 300; ++i) {
+    // A point by its azimuth from the middle column, its distance from the axis and its height.
+    const double azimuth = (random.uniform() - 0.5) * 6, distance_m = 0.3 + 5 * random.uniform(),
+                 height_m = 4 * (random.uniform() - 0.5);
+    const Eigen::Vector3f ahead = camera.direction(64, 32), right(-ahead.z(), 0, ahead.x());
+    const Eigen::Vector3f point = (static_cast<float>(distance_m * std::cos(azimuth)) * ahead +
+                                   static_cast<float>(distance_m * std::sin(azimuth)) * right +
+                                   static_cast<float>(height_m) * Eigen::Vector3f::UnitY());
+    for (std::size_t eye = 0; eye < 3; ++eye) {
+      const double e = eye_right_m[eye];
+      const double seen_at = azimuth - std::asin(e / distance_m);
+      const double elevation = std::atan2(height_m, std::sqrt(distance_m * distance_m - e * e));
+      const double column = (seen_at / (2 * std::numbers::pi) + 0.5) * 128;
+      const double row = (0.5 - elevation / std::numbers::pi) * 64;
+      if (column < 0 || column >= 128) continue;
+      const int x = static_cast<int>(column), y = static_cast<int>(row) + 64 * static_cast<int>(eye);
+      const Eigen::Vector3f direction = camera.direction_within(
+          x, y, static_cast<float>(column - std::floor(column)), static_cast<float>(row - std::floor(row)));
+      const float miss_m = (point - camera.place_m(x, y)).cross(direction).norm();
+      // The eye stands as for the pixel's middle: at most half a column beside.
+      EXPECT_LT(miss_m, 1e-5 + std::abs(e) * std::numbers::pi / 128) << i << " eye " << eye;
+    }
+  }
+}
+
+TEST(Panorama, RowsOfTheEyesPanoramasAreWorthTheSame) {
+  const TileGrid one{128, 64, true}, two{128, 128, true};
+  for (int tile = 0; tile < one.count(); ++tile) {
+    EXPECT_DOUBLE_EQ(two.weight(tile), one.weight(tile));
+    EXPECT_DOUBLE_EQ(two.weight(one.count() + tile), one.weight(tile));
+    EXPECT_DOUBLE_EQ(two.share(tile), one.share(tile) / 2);
   }
 }
 

@@ -73,7 +73,7 @@ TEST(Views, DisparityIsThatOfThePinholes) {
                                          .direction_within(eye * 320 + x, y, static_cast<float>(column - x),
                                                            static_cast<float>(row - y))
                                          .cast<double>();
-        const Eigen::Vector3d there = point - camera.place_m(eye * 320 + x).cast<double>();
+        const Eigen::Vector3d there = point - camera.place_m(eye * 320 + x, y).cast<double>();
         EXPECT_LT(seen.cross(there.normalized()).norm(), 2e-6) << depth_m << " m, eye " << eye;
       }
     }
@@ -88,10 +88,10 @@ TEST(Views, TheMiddleEyeIsTheCameraItselfToTheLastBit) {
       const Sampler sampler(3, x, y, 1);
       const Ray alone = camera_ray(centre, x, y, sampler);
       EXPECT_EQ(camera_ray(camera, 2 * 320 + x, y, sampler).direction, alone.direction);
-      EXPECT_TRUE(camera.place_m(2 * 320 + x).isZero());
+      EXPECT_TRUE(camera.place_m(2 * 320 + x, y).isZero());
       for (int eye = 0; eye < 2; ++eye) {
         EXPECT_EQ(camera_ray(together, eye * 320 + x, y, sampler).direction, alone.direction);
-        EXPECT_TRUE(together.place_m(eye * 320 + x).isZero());
+        EXPECT_TRUE(together.place_m(eye * 320 + x, y).isZero());
       }
     }
   const Camera back = centre_camera(camera);

@@ -76,6 +76,26 @@ TEST(StudyFileLook, BelongsToStudyOrConditionAndToTheHash) {
   EXPECT_EQ(hash("kind = \"mouse\""), hash("kind = \"mouse\"\nhint = \"Turn round.\""));
 }
 
+TEST(StudyFileLook, EachEyeMayHaveAPanoramaInAHeadset) {
+  const std::string head = "[look]\nkind = \"head\"\n", eyes = "[view]\nkind = \"omnidirectional\"\n";
+  const StudyDefinition study = looked_at(head + eyes);
+  EXPECT_EQ(study.scenes.front().view.kind, ViewKind::omnidirectional);
+  EXPECT_THAT(canonical_text(study), HasSubstr("view omnidirectional, 2 views 0.065 m apart\n"));
+  EXPECT_NE(study_hash(study), study_hash(looked_at(head)));
+  const StudyDefinition both = looked_at(
+      head +
+      "[[condition]]\nname = \"flat\"\n[[condition]]\nname = \"eyes\"\nview.kind = \"omnidirectional\"\n"
+      "[[condition]]\nname = \"mesh\"\nview.kind = \"omnidirectional\"\nview.parallax = \"depth\"\n");
+  EXPECT_EQ(list_truths(both).size(), 3U);
+  EXPECT_THAT(canonical_text(both), HasSubstr("0.065 m apart, parallax by depth"));
+  EXPECT_THAT(look_complaint("[look]\nkind = \"mouse\"\n" + eyes),
+              HasSubstr("view.kind: wanted look.kind = \"head\" beside \"omnidirectional\""));
+  EXPECT_THAT(look_complaint(eyes, "", ""), HasSubstr("found no [look]"));
+  EXPECT_THAT(look_complaint(head + eyes + "zero_parallax_m = 2\n"), HasSubstr("zero_parallax_m"));
+  EXPECT_THAT(look_complaint(head + eyes + "views = 64\n", "width_px = 4096\nheight_px = 2048"),
+              HasSubstr("at most 16384 rows"));
+}
+
 TEST(StudyFileLook, WhatCannotBeIsRefusedByName) {
   EXPECT_THAT(look_complaint(""), HasSubstr("look: wanted a table [look]"));
   EXPECT_THAT(look_complaint("[look]\n", "", ""), HasSubstr("something to look round at"));

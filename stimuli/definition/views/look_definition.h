@@ -18,9 +18,12 @@ struct LookDefinition {
   std::array<int, 2> view_px = {960, 540};  ///< the view's width and height on the screen
   double horizontal_fov_deg = 60;           ///< of the view; of a headset its own
   std::optional<std::array<double, 2>> start_deg =
-      {};                                       ///< yaw, pitch; none: whither the scene's camera looks
+      {};                       ///< yaw, pitch; none: whither the scene's camera looks
+  double start_spread_deg = 0;  ///< each trial begins at most so far to the left or right of it, as drawn
   std::array<double, 2> yaw_deg = {-180, 180};  ///< between which it can be turned; all round
   std::array<double, 2> pitch_deg = {-90, 90};
+  /// Whether a view that the mouse turns is also turned by a phone or tablet that is turned itself, in pages.
+  bool follows_device = false;
   /// Beside the question, of a view that turns. Not part of the meaning: it can be edited in a rendered set.
   std::string hint =
       "Drag, or press arrow keys, to look round. Click an object, or put the cross on it and press Enter.";

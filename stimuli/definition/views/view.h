@@ -10,8 +10,14 @@ namespace seamline::inline stimuli {
 /// height. `side_by_side`: left eye, right eye, each squeezed to half the width, as stereoscopic screens take
 /// it. `anaglyph`: both in one, told apart by colour. `interleaved`: the sub-pixels of a screen under a lens
 /// sheet belong to N views in turn (section 3.2). `depth_image`: the picture and its depth, each squeezed to
-/// half the width; the screen makes its views of it (2D-plus-depth, section 3.1).
-enum class ViewKind { mono, side_by_side, anaglyph, interleaved, depth_image };
+/// half the width; the screen makes its views of it (2D-plus-depth, section 3.1). `omnidirectional`: of
+/// panoramas only, a whole one for each eye, for headsets.
+enum class ViewKind { mono, side_by_side, anaglyph, interleaved, depth_image, omnidirectional };
+
+/// Where panoramas of several eyes have their parallax from. `truth`: each eye has a photograph of its own.
+/// `depth`: there is one photograph, from the middle between the eyes, and each eye sees it painted on the
+/// local scene, as who has one panorama and its depth map shows it.
+enum class Parallax { truth, depth };
 
 /// What an anaglyph for red and cyan glasses shows of the two eyes, of linear colour. `colour`: the left
 /// eye's red, the right eye's green and blue. `half_colour`: the left eye's luminance in red. `grey`: the
@@ -33,7 +39,8 @@ struct LensSheet {
 inline constexpr LensSheet five_views_sheet{.pitch_subpixels = 5, .slant_deg = 18.43494882292201};
 
 /// How the pictures of a condition are shown. The eyes stand along the camera's right vector, around the
-/// camera's place, which is also where the depth map's own centre stays.
+/// camera's place, which is also where the depth map's own centre stays. Those of panoramas stand to the
+/// right and left of every direction that they look at (raytracer/scene/eyes.h).
 struct View {
   ViewKind kind = ViewKind::mono;
   int views = 2;                ///< from the left to the right
@@ -42,6 +49,7 @@ struct View {
   /// the screen seems to be.
   double zero_parallax_m = 0;
   AnaglyphMatrix matrix = AnaglyphMatrix::dubois;  ///< of anaglyphs only
+  Parallax parallax = Parallax::truth;             ///< of real surfaces; of omnidirectional views only
   LensSheet sheet = {};                            ///< of interleaved views only
   double max_depth_m = 0;                          ///< of depth images only: what the depth 1 stands for
   std::array<int, 2> panel_px = {0, 0};            ///< width, height of the screen; 0: any
@@ -51,6 +59,8 @@ struct View {
   [[nodiscard]] int eyes() const {
     return kind == ViewKind::mono || kind == ViewKind::depth_image ? 1 : views;
   }
+  /// How many panoramas its camera takes: those of the eyes, and the one that they are painted with.
+  [[nodiscard]] int panoramas() const { return views + (parallax == Parallax::depth ? 1 : 0); }
   /// How many columns of the study's picture one column of an eye's picture fills.
   [[nodiscard]] int squeeze() const {
     return kind == ViewKind::side_by_side || kind == ViewKind::depth_image ? 2 : 1;

@@ -43,7 +43,8 @@ void refuse_unused(const TomlTable& table, const LookDefinition& look) {
     if (table.has(key)) throw table.complaint(key, wanted, fmt::format("kind = \"{}\"", word(look.kind)));
   };
   if (look.kind != LookKind::mouse)
-    for (const char* key : {"yaw_deg", "pitch_deg"}) refuse(key, "kind = \"mouse\" beside it");
+    for (const char* key : {"yaw_deg", "pitch_deg", "start_spread_deg", "follows_device"})
+      refuse(key, "kind = \"mouse\" beside it");
   if (look.kind == LookKind::fixed) refuse("hint", "kind = \"mouse\" or \"head\" beside it");
   if (look.kind == LookKind::head) refuse("horizontal_fov_deg", "nothing: a headset has a field of its own");
 }
@@ -70,7 +71,8 @@ void refuse_views_own(const TomlTable& table, const ConditionDefinition& conditi
   };
   const DepthSettings& depth = condition.depth;
   for (const SceneDefinition& scene : condition.scenes)
-    if (!scene.view.is_mono()) refuse("view.kind", "\"" + std::string(word(scene.view.kind)) + "\"");
+    if (!scene.view.is_mono() && scene.view.kind != ViewKind::omnidirectional)
+      refuse("view.kind", "\"" + std::string(word(scene.view.kind)) + "\"");
   if (depth.albedo == MeshAlbedo::photograph) refuse("mesh_albedo", "\"photograph\"");
   if (depth.mitigation.occlusion != Occlusion::mesh)
     refuse("mitigation.occlusion", "\"" + std::string(word(depth.mitigation.occlusion)) + "\"");
@@ -82,6 +84,22 @@ void refuse_views_own(const TomlTable& table, const ConditionDefinition& conditi
     refuse("depth.source", "\"" + std::string(kind_of(depth.chain->sources.front())) + "\"");
   if (tests_pixels(depth.chain->occlusion)) refuse("depth.occlusion", "a depth test");
   if (guided_by_photograph(*depth.chain)) refuse("depth.repair", "a repair guided by the photograph");
+}
+
+/// Two eyes see two panoramas in a headset only.
+void check_eyes(const TomlTable& table, const StudyDefinition& study) {
+  for (const ConditionDefinition& condition : list_conditions(study)) {
+    const LookDefinition* look = look_of(study, condition);
+    for (const SceneDefinition& scene : condition.scenes)
+      if (scene.view.kind == ViewKind::omnidirectional && (look == nullptr || look->kind != LookKind::head))
+        throw table.complaint(
+            "view.kind",
+            "look.kind = \"head\" beside \"omnidirectional\", because only a headset shows each eye its own "
+            "panorama",
+            (look == nullptr ? std::string("no [look]")
+                             : "look.kind = \"" + std::string(word(look->kind)) + "\"") +
+                (condition.name.empty() ? "" : " in the condition " + condition.name));
+  }
 }
 
 void check_panoramas(const TomlTable& table, const StudyDefinition& study) {
@@ -126,6 +144,7 @@ std::shared_ptr<const LookDefinition> read_look(const TomlTable& settings,
       table->number("horizontal_fov_deg", look->horizontal_fov_deg, {10, 140, "degrees"});
   look->yaw_deg = read_limits(*table, "yaw_deg", look->yaw_deg, 180);
   look->pitch_deg = read_limits(*table, "pitch_deg", look->pitch_deg, 90);
+  look->follows_device = table->boolean("follows_device", look->follows_device);
   if (table->has("start_deg")) {
     look->start_deg = read_two(*table, "start_deg", "yaw and pitch, as [30, -5]", {-180, 180, "degrees"});
     const auto& [yaw, pitch] = *look->start_deg;
@@ -134,6 +153,7 @@ std::shared_ptr<const LookDefinition> read_look(const TomlTable& settings,
       throw table->complaint("start_deg", "a direction within yaw_deg and pitch_deg",
                              fmt::format("[{}, {}]", yaw, pitch));
   }
+  look->start_spread_deg = table->number("start_spread_deg", look->start_spread_deg, {0, 180, "degrees"});
   // What was said for the mouse says nothing to a head.
   const bool other_kind = usual && usual->kind != look->kind;
   if (look->kind == LookKind::head && (!usual || other_kind)) look->hint = head_hint;
@@ -144,6 +164,8 @@ std::shared_ptr<const LookDefinition> read_look(const TomlTable& settings,
   if (look->kind != LookKind::mouse) {  // what has no meaning has its default, so that equal means the same
     look->yaw_deg = LookDefinition{}.yaw_deg;
     look->pitch_deg = LookDefinition{}.pitch_deg;
+    look->start_spread_deg = 0;
+    look->follows_device = false;
   }
   if (look->kind == LookKind::head) look->horizontal_fov_deg = LookDefinition{}.horizontal_fov_deg;
   return look;
@@ -158,6 +180,7 @@ void check_looks(const TomlTable& study_table, const StudyDefinition& study) {
   if (panoramas && study.languages && comfort_asked(study) != nullptr)
     throw study_table.complaint("look.comfort_question", "a study in one language, because it has one text",
                                 "a table [[language]]");
+  check_eyes(study_table, study);
   if (panoramas) return check_panoramas(study_table, study);
   for (const ConditionDefinition& condition : list_conditions(study))
     if (look_of(study, condition) != nullptr)

@@ -176,8 +176,10 @@ void take_view(const Session& session, const Trial& due, Stage& stage) {
   const auto* rating = std::get_if<Rating>(&session.phase);
   if (looking.trial != due || (choosing == nullptr && rating == nullptr)) {
     const Stimulus& stimulus = stage.set.manifest.stimuli.at(static_cast<std::size_t>(due.stimulus)).stimulus;
-    const auto [yaw, pitch] = start_deg(*view, stage.set.study, stimulus.scene);
-    if (!std::holds_alternative<Storing>(session.phase)) looking = {.trial = due, .pose = {yaw, pitch}};
+    const std::array<double, 2> start = start_deg(*view, stage.set.study, stimulus.scene);
+    if (!std::holds_alternative<Storing>(session.phase))
+      looking = {.trial = due,
+                 .pose = drawn_start(*view, start, due.stimulus, answered_trials(session.trials))};
     return;
   }
   const std::int64_t onset_ns = choosing != nullptr ? choosing->onset_ns : rating->onset_ns;

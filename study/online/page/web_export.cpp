@@ -40,13 +40,15 @@ void check_request(const RenderedSet& set, const WebRequest& request) {
                        .wanted = "your own consent text (for a trial run with the shipped one use --pilot)",
                        .found = "the shipped template"});
   for (const SceneDefinition& scene : list_truths(set.study))
-    if (!scene.view.is_mono() && scene.view.kind != ViewKind::anaglyph)
-      throw input_error({.file = study_file_name(set),
-                         .field = "view.kind",
-                         .wanted =
-                             "\"mono\" or \"anaglyph\": a page in a browser does not know where on which "
-                             "screen its pixels are (the window does: seamline study SET --participant)",
-                         .found = "\"" + std::string(word(scene.view.kind)) + "\""});
+    if (!scene.view.is_mono() && scene.view.kind != ViewKind::anaglyph &&
+        scene.view.kind != ViewKind::omnidirectional)
+      throw input_error(
+          {.file = study_file_name(set),
+           .field = "view.kind",
+           .wanted =
+               "\"mono\", \"anaglyph\" or \"omnidirectional\": a page in a browser does not know where on which "
+               "screen its pixels are (the window does: seamline study SET --participant)",
+           .found = "\"" + std::string(word(scene.view.kind)) + "\""});
   const bool adaptive = is_placed_by_answers(set.study);
   if (adaptive && request.host != Origin::serve)
     throw input_error(

@@ -26,21 +26,23 @@ std::string checked_bytes(const RenderedSet& set, const ManifestPicture& picture
   return read_file(path_in_set(set.folder, picture.file), limits::largest_picture_file_bytes);
 }
 
-/// As the window makes it; a picture that no file of the set holds.
-std::string attention_bytes(const RenderedSet& set, const Trial& trial) {
+/// Of a picture that no file of the set holds.
+std::string png_bytes(const ByteImage& picture) {
   const TemporaryFolder folder;
-  write_png(folder / "attention.png", load_trial_picture(set, trial));
-  return read_file(folder / "attention.png", limits::largest_picture_file_bytes);
+  write_png(folder / "picture.png", picture);
+  return read_file(folder / "picture.png", limits::largest_picture_file_bytes);
 }
 
 std::string picture_bytes(const RenderedSet& set, const Trial& trial) {
   if (shows_clips(set)) return clip_bytes(set, trial);
   const ManifestStimulus& record = record_at(set, trial.stimulus);
+  if (has_more_eyes(set, trial) && trial.kind != TrialKind::attention)
+    return png_bytes(load_all_eyes(set, trial));
   switch (trial.kind) {
     case TrialKind::stimulus:
       return checked_bytes(set, stimulus_picture(set.manifest, record));
     case TrialKind::attention:
-      return attention_bytes(set, trial);
+      return png_bytes(load_trial_picture(set, trial));  // as the window makes it
     case TrialKind::reference:
       return checked_bytes(
           set, reference_picture(set.manifest, reference_of(set.folder, set.manifest, record.stimulus)));

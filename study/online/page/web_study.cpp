@@ -190,10 +190,13 @@ Json pictures_json(const WebStudy& web) {
 }
 
 Json look_json(const LookDefinition& look, const std::array<double, 2>& start) {
-  return {
+  Json json = {
       {"kind", word(look.kind)}, {"view_px", look.view_px}, {"horizontal_fov_deg", look.horizontal_fov_deg},
       {"start_deg", start},      {"yaw_deg", look.yaw_deg}, {"pitch_deg", look.pitch_deg},
       {"hint", look.hint}};
+  if (look.start_spread_deg > 0) json["start_spread_deg"] = look.start_spread_deg;
+  if (look.follows_device) json["follows_device"] = true;
+  return json;
 }
 
 /// How each picture of all directions is looked at: `looks`, and by the stimulus' shown name which of them.

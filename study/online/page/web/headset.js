@@ -1,6 +1,7 @@
-// A headset that the browser knows (WebXR, immersive-vr): the panorama all round, the same for both eyes, a cross where the
-// head points, and a board with question and answers below it. What is chosen is what the cross is on when the controller's
-// trigger is pulled.
+// A headset that the browser knows (WebXR, immersive-vr): the panorama all round, the same for both eyes or one for each, a cross
+// where the head points, and a board with question and answers below it. What is chosen is what the cross is on when the
+// controller's trigger is pulled. Where two eyes have panoramas of their own, the left eye alone sees the cross: at any one
+// distance both would see it double (a one-eyed cursor: Teather and Stuerzlinger 2013).
 import { axesOf } from "./core/looking.js";
 
 const DEGREE = Math.PI / 180;
@@ -36,6 +37,21 @@ function axesOfQuaternion({ x, y, z, w }, right_deg) {
   ];
   const [sine, cosine] = [Math.sin(right_deg * DEGREE), Math.cos(right_deg * DEGREE)];
   return columns.flatMap(([a, b, c]) => [a * cosine - c * sine, b, a * sine + c * cosine]);
+}
+
+/** A vector, turned likewise. */
+function turnedVector({ x, y, z }, right_deg) {
+  const [sine, cosine] = [Math.sin(right_deg * DEGREE), Math.cos(right_deg * DEGREE)];
+  return [x * cosine - z * sine, y, x * sine + z * cosine];
+}
+
+const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+
+/** Which of so many panoramas each view is shown, by its place from the left to the right. */
+export function panoramasOf(offsets, panoramas) {
+  const order = offsets.map((offset, at) => at).sort((a, b) => offsets[a] - offsets[b]);
+  const last = Math.max(1, offsets.length - 1);
+  return offsets.map((offset, at) => Math.round((order.indexOf(at) * (panoramas - 1)) / last));
 }
 
 const poseOf = (axes) => ({
@@ -132,14 +148,15 @@ export async function enterHeadset(view, ended) {
       up: [3, 4, 5].map((i) => (BOARD.height / 2) * a[i]),
     };
   }
+  let sight = [0, 0, 0]; // the place of the eye that sees the cross
   function onBoard() {
     if (!head.scene.words) return null;
     const { middle, right, up } = boardPlace();
-    const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     const ahead = [-axes[6], -axes[7], -axes[8]];
     const along = dot(ahead, middle);
     if (along <= 0) return null;
-    const hit = ahead.map((value, i) => (value * BOARD.distance * BOARD.distance) / along - middle[i]);
+    const far = (BOARD.distance * BOARD.distance - dot(sight, middle)) / along;
+    const hit = ahead.map((value, i) => sight[i] + value * far - middle[i]);
     const [s, t] = [dot(hit, right) / dot(right, right), dot(hit, up) / dot(up, up)];
     if (Math.abs(s) > 1 || Math.abs(t) > 1) return null;
     return { x: ((s + 1) / 2) * BOARD_PX.width, y: ((1 - t) / 2) * BOARD_PX.height };
@@ -175,7 +192,8 @@ export async function enterHeadset(view, ended) {
     fill(textures.board, paint.canvas);
   }
 
-  function drawQuad(texture, eye, eyeAxes, { middle, right, up }) {
+  /** `place`: of the eye beside the head; the panoramas of one place are infinitely far, and so is what stands before them. */
+  function drawQuad(texture, eye, { axes: eyeAxes, place }, { middle, right, up }) {
     gl.useProgram(program);
     gl.activeTexture(gl.TEXTURE1);
     gl.bindTexture(gl.TEXTURE_2D, texture);
@@ -183,7 +201,7 @@ export async function enterHeadset(view, ended) {
     gl.uniform1i(at("board"), 1);
     gl.uniformMatrix4fv(at("projection"), false, eye.projectionMatrix);
     gl.uniformMatrix3fv(at("view_from_world"), false, transposed(eyeAxes));
-    gl.uniform3fv(at("middle"), middle);
+    gl.uniform3fv(at("middle"), middle.map((value, i) => value - place[i]));
     gl.uniform3fv(at("right"), right);
     gl.uniform3fv(at("up"), up);
     gl.enable(gl.BLEND);
@@ -199,17 +217,22 @@ export async function enterHeadset(view, ended) {
     if (head.scene.words) writeBoard();
     else board.asked = "";
     const eyes = [];
-    for (const eye of pose.views) {
+    const [r, u, b] = [0, 3, 6].map((i) => axes.slice(i, i + 3));
+    const from = pose.transform.position;
+    const places = pose.views.map(({ transform: { position } }) => turnedVector({ x: position.x - from.x, y: position.y - from.y, z: position.z - from.z }, right_deg));
+    sight = view.eyes() === 2 && places.length === 2 ? places.reduce((left, place) => (dot(place, r) < dot(left, r) ? place : left)) : [0, 0, 0];
+    const panoramas = panoramasOf(places.map((place) => dot(place, r)), view.eyes());
+    pose.views.forEach((eye, i) => {
       const place = layer.getViewport(eye);
       const p = eye.projectionMatrix;
-      const eyeAxes = axesOfQuaternion(eye.transform.orientation, right_deg);
-      if (head.scene.panorama) view.paint(place, eyeAxes, [1 / p[0], 1 / p[5]], [p[8] / p[0], p[9] / p[5]]);
-      if (reader) eyes.push(readEye(place, p, eyeAxes));
+      const seen = { axes: axesOfQuaternion(eye.transform.orientation, right_deg), place: view.eyes() > 1 ? places[i] : [0, 0, 0] };
+      if (head.scene.panorama) view.paint(place, seen.axes, [1 / p[0], 1 / p[5]], [p[8] / p[0], p[9] / p[5]], panoramas[i]);
+      if (reader) eyes.push({ ...readEye(place, p, seen.axes), panorama: panoramas[i] });
       gl.viewport(place.x, place.y, place.width, place.height);
-      if (head.scene.words) drawQuad(textures.board, eye, eyeAxes, boardPlace());
-      const [r, u, b] = [0, 3, 6].map((i) => axes.slice(i, i + 3));
-      drawQuad(textures.mark, eye, eyeAxes, { middle: b.map((v) => -2 * v), right: r.map((v) => 0.025 * v), up: u.map((v) => 0.025 * v) });
-    }
+      if (head.scene.words) drawQuad(textures.board, eye, seen, boardPlace());
+      const seesNoCross = view.eyes() === 2 && pose.views.length === 2 && panoramas[i] > 0;
+      if (!seesNoCross) drawQuad(textures.mark, eye, { axes: seen.axes, place: [0, 0, 0] }, { middle: b.map((v) => -2 * v), right: r.map((v) => 0.025 * v), up: u.map((v) => 0.025 * v) });
+    });
     if (reader && head.scene.panorama) {
       reader(eyes);
       reader = null;

@@ -5,20 +5,22 @@ import { axesOf, directionAt, halfTangents, placeOf } from "./core/looking.js";
 const VERTEX = `#version 300 es
 void main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); }`;
 
-// The window draws by the same (study/app/pictures/panorama_view.cpp).
+// The window draws by the same (study/app/pictures/panorama_view.cpp), but for the rows, which are one eye's: the eyes' panoramas
+// stand one above the other, the left eye's on top.
 const FRAGMENT = `#version 300 es
 precision highp float;
 precision highp sampler2D;
 uniform sampler2D panorama;
 uniform mat3 axes;
 uniform vec2 half_tangents, middle, corner_px, view_px;
+uniform int first_row, rows;
 out vec4 colour;
 vec3 code(ivec2 at, ivec2 size) {
-  return texelFetch(panorama, ivec2((at.x + size.x) % size.x, clamp(at.y, 0, size.y - 1)), 0).rgb;
+  return texelFetch(panorama, ivec2((at.x + size.x) % size.x, first_row + clamp(at.y, 0, size.y - 1)), 0).rgb;
 }
 void main() {
   vec3 d = axes * vec3(((gl_FragCoord.xy - corner_px) / view_px * 2.0 - 1.0) * half_tangents + middle, -1.0);
-  ivec2 size = textureSize(panorama, 0);
+  ivec2 size = ivec2(textureSize(panorama, 0).x, rows);
   vec2 turns = vec2(atan(d.x, -d.z) * 0.15915494309189535 + 0.5, 0.5 - atan(d.y, length(d.xz)) * 0.3183098861837907);
   vec2 p = turns * vec2(size) - 0.5, f = fract(p);
   ivec2 at = ivec2(floor(p));
@@ -40,13 +42,14 @@ function programOf(gl, vertex = VERTEX, fragment = FRAGMENT) {
   return program;
 }
 
-/** The mean of four neighbours' codes at a place of a panorama, as the shader makes it, in double precision. */
-function codeAt(panorama, { x, y }, channel) {
+/** The mean of four neighbours' codes at a place of an eye's panorama, as the shader makes it, in double precision. */
+function codeAt(panorama, { x, y }, channel, eye) {
+  const rows = panorama.width / 2;
   const left = Math.floor(x - 0.5);
   const top = Math.floor(y - 0.5);
   const [s, t] = [x - 0.5 - left, y - 0.5 - top];
   const code = (column, row) =>
-    panorama.data[4 * (Math.min(panorama.height - 1, Math.max(0, row)) * panorama.width + ((column + panorama.width) % panorama.width)) + channel];
+    panorama.data[4 * ((eye * rows + Math.min(rows - 1, Math.max(0, row))) * panorama.width + ((column + panorama.width) % panorama.width)) + channel];
   return (1 - t) * ((1 - s) * code(left, top) + s * code(left + 1, top)) + t * ((1 - s) * code(left, top + 1) + s * code(left + 1, top + 1));
 }
 
@@ -62,36 +65,39 @@ export function makeView(lost = () => {}) {
   const program = programOf(gl);
   gl.disable(gl.DITHER);
   const at = (name) => gl.getUniformLocation(program, name);
-  const uniforms = { axes: at("axes"), half: at("half_tangents"), middle: at("middle"), corner: at("corner_px"), view: at("view_px") };
+  const uniforms = { axes: at("axes"), half: at("half_tangents"), middle: at("middle"), corner: at("corner_px"), view: at("view_px"), first: at("first_row"), rows: at("rows") };
   gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
   for (const side of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, side, gl.NEAREST);
   gl.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
   gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
-  let size = null;
+  let size = null; // of one eye's panorama, which is twice as wide as high
+  let eyes = 1;
   const take = (width, height) => {
     const most = gl.getParameter(gl.MAX_TEXTURE_SIZE);
-    if (width > most) throw new Error("WebGL 2: pictures of " + width + " pixels, of which it can show " + most);
-    size = { width, height };
+    if (Math.max(width, height) > most) throw new Error("WebGL 2: pictures of " + Math.max(width, height) + " pixels, of which it can show " + most);
+    eyes = Math.max(1, Math.round((2 * height) / width));
+    size = { width, height: height / eyes };
   };
   const view = {
     canvas,
     gl,
     programOf: (vertex, fragment) => programOf(gl, vertex, fragment),
     size: () => size,
+    eyes: () => eyes,
     /** The panorama that is shown from now on: an image, or ImageData. */
     put(panorama) {
       take(panorama.naturalWidth ?? panorama.width, panorama.naturalHeight ?? panorama.height);
       gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, gl.RGBA, gl.UNSIGNED_BYTE, panorama);
     },
-    draw(look, pose) {
+    draw(look, pose, eye = 0) {
       const [width, height] = look.view_px;
       if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
       canvas.naturalWidth = width; // as an image says it
       canvas.naturalHeight = height;
-      view.paint({ x: 0, y: 0, width, height }, axesOf(pose), halfTangents(look));
+      view.paint({ x: 0, y: 0, width, height }, axesOf(pose), halfTangents(look), [0, 0], eye);
     },
-    /** Into a part of the framebuffer: `middle` are the tangents of the direction in its middle. */
-    paint({ x, y, width, height }, axes, half, middle = [0, 0]) {
+    /** Into a part of the framebuffer: `middle` are the tangents of the direction in its middle, `eye` counts from the left. */
+    paint({ x, y, width, height }, axes, half, middle = [0, 0], eye = 0) {
       gl.viewport(x, y, width, height);
       gl.useProgram(program);
       gl.uniformMatrix3fv(uniforms.axes, false, axes);
@@ -99,6 +105,8 @@ export function makeView(lost = () => {}) {
       gl.uniform2fv(uniforms.middle, middle);
       gl.uniform2f(uniforms.corner, x, y);
       gl.uniform2f(uniforms.view, width, height);
+      gl.uniform1i(uniforms.first, eye * size.height);
+      gl.uniform1i(uniforms.rows, size.height);
       gl.drawArrays(gl.TRIANGLES, 0, 3);
     },
     /** The codes that stand in the canvas, RGBA, the lowest row first. */
@@ -112,25 +120,26 @@ export function makeView(lost = () => {}) {
 }
 
 /**
- * Draws views of a small panorama whose codes are known and reads them back: the largest difference from double precision, in
- * codes. The poses look all round, up and down, and across the seam.
+ * Draws views of two eyes' small panoramas whose codes are known and reads them back: the largest difference from double
+ * precision, in codes. The poses look all round, up and down, and across the seam.
  */
 export function largestFault(view) {
-  const panorama = new ImageData(64, 32);
-  for (let i = 0; i < 64 * 32; ++i) panorama.data.set([(i * 37) & 255, 4 * (i % 64), 8 * Math.floor(i / 64), 255], 4 * i);
+  const panorama = new ImageData(64, 64);
+  for (let i = 0; i < 64 * 64; ++i) panorama.data.set([(i * 37) & 255, 4 * (i % 64), 4 * Math.floor(i / 64), 255], 4 * i);
   const look = { view_px: [48, 27], horizontal_fov_deg: 60 };
   view.put(panorama);
   let worst = 0;
-  for (const [yaw_deg, pitch_deg] of [[0, 0], [90, 20], [180, -35], [-135, 60], [17, 88], [-179.5, -85]]) {
-    view.draw(look, { yaw_deg, pitch_deg });
-    const codes = view.read();
-    for (let y = 0; y < 27; ++y)
-      for (let x = 0; x < 48; ++x) {
-        const place = placeOf(panorama, directionAt(look, { yaw_deg, pitch_deg }, x + 0.5, y + 0.5));
-        for (let c = 0; c < 3; ++c)
-          worst = Math.max(worst, Math.abs(codes[4 * ((26 - y) * 48 + x) + c] - codeAt(panorama, place, c)));
-      }
-  }
+  for (const eye of [0, 1])
+    for (const [yaw_deg, pitch_deg] of [[0, 0], [90, 20], [180, -35], [-135, 60], [17, 88], [-179.5, -85]]) {
+      view.draw(look, { yaw_deg, pitch_deg }, eye);
+      const codes = view.read();
+      for (let y = 0; y < 27; ++y)
+        for (let x = 0; x < 48; ++x) {
+          const place = placeOf(view.size(), directionAt(look, { yaw_deg, pitch_deg }, x + 0.5, y + 0.5));
+          for (let c = 0; c < 3; ++c)
+            worst = Math.max(worst, Math.abs(codes[4 * ((26 - y) * 48 + x) + c] - codeAt(panorama, place, c, eye)));
+        }
+    }
   return worst;
 }
 

@@ -91,6 +91,13 @@ function checkedView(study) {
 const lacksHeadset = async (study) =>
   (study.looks ?? []).some((look) => look.kind === "head") && !(await headsetIsThere());
 
+/** Some phones tell how they are turned only who was asked by a touch: the first one. */
+function askForOrientation(study) {
+  const ask = globalThis.DeviceOrientationEvent?.requestPermission;
+  if (ask && study.looks?.some((look) => look.follows_device))
+    addEventListener("click", () => ask.call(DeviceOrientationEvent).catch(() => {}), { once: true });
+}
+
 /** The study in one of its languages. */
 async function inLanguage(study, { file }, away) {
   return file ? { ...study, ...(await persistently(() => fetchJson(file, { isIt: (json) => json?.texts }), away)) } : study;
@@ -523,6 +530,7 @@ async function main() {
   try {
     view = checkedView(study);
     if (await lacksHeadset(study)) throw new Error("WebXR, immersive-vr");
+    askForOrientation(study);
   } catch (error) {
     return refuse(study, fillIn(study.texts.online_browser, { message: error.message }));
   }

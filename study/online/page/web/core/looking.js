@@ -8,7 +8,30 @@ const DEGREE = Math.PI / 180;
 /** How a trial's picture is looked at; null: whole, as it is. */
 export const lookOf = (study, stimulus_id) => study.looks?.[study.look_of[stimulus_id]] ?? null;
 
-export const startPose = (look) => ({ yaw_deg: look.start_deg[0], pitch_deg: look.start_deg[1] });
+/**
+ * Whither a phone's or tablet's back looks, by the angles of an event `deviceorientation` (Z-X'-Y'' of W3C's DeviceOrientation
+ * Event): to the right of where they are zero, up from the horizon. However the screen is turned within itself says nothing to
+ * a view that stays level. Null where the device does not say.
+ */
+export function deviceDirection({ alpha, beta, gamma }) {
+  if (typeof alpha !== "number" || typeof beta !== "number" || typeof gamma !== "number") return null;
+  const [a, b, c] = [alpha, beta, gamma].map((value) => value * DEGREE);
+  const east = -(Math.cos(a) * Math.sin(c) + Math.sin(a) * Math.sin(b) * Math.cos(c));
+  const north = -(Math.sin(a) * Math.sin(c) - Math.cos(a) * Math.sin(b) * Math.cos(c));
+  const up = -Math.cos(b) * Math.cos(c);
+  return { yaw_deg: Math.atan2(east, north) / DEGREE, pitch_deg: Math.atan2(up, Math.hypot(east, north)) / DEGREE };
+}
+
+/** Where a trial begins, beside the start by `start_spread_deg` at most; the same for the same words. */
+export function startPose(look, words = "") {
+  const start = { yaw_deg: look.start_deg[0], pitch_deg: look.start_deg[1] };
+  if (!look.start_spread_deg) return start;
+  let bits = 2166136261;
+  for (const letter of words) bits = Math.imul(bits ^ letter.codePointAt(0), 16777619);
+  bits = Math.imul(bits ^ (bits >>> 16), 2246822507); // spread over all bits
+  bits = Math.imul(bits ^ (bits >>> 13), 3266489909);
+  return turned(look, start, (((bits ^ (bits >>> 16)) >>> 0) / 2 ** 31 - 1) * look.start_spread_deg, 0);
+}
 
 /** Tangents of half the view's angles. */
 export function halfTangents(look) {

@@ -104,11 +104,12 @@ function viewOf(app, trial) {
       frames: (map) => map.frames,
       objectAt: (map, at) => objectAt(map, at.x, at.y),
     };
-  let pose = looking.startPose(look);
+  let pose = looking.startPose(look, trial.stimulus_id + " " + (trial.trial_index ?? ""));
   const size = () => app.view.size();
   return {
     size_px: { width: look.view_px[0], height: look.view_px[1] },
     turns: look.kind === "mouse",
+    followsDevice: look.follows_device === true,
     worn: look.kind === "head",
     follow(next) {
       pose = next;
@@ -401,6 +402,13 @@ function drawTrial(app, display, isPractice) {
     view.poses.add((nanoseconds(event.timeStamp) - now.onset_ns) / 1e6, view.pose());
     drawBrackets();
   }
+  /** As far as the device has been turned since it last said where its back looks. */
+  let aimed = null;
+  const onDevice = (event) => {
+    const now = looking.deviceDirection(event);
+    if (now && aimed) turn(((now.yaw_deg - aimed.yaw_deg + 540) % 360) - 180, now.pitch_deg - aimed.pitch_deg, event);
+    aimed = now;
+  };
   const SLACK_PX = 4; // that a click may move
   function drag(event) {
     const [right, down] = [event.clientX - grabbed.x, event.clientY - grabbed.y];
@@ -455,6 +463,7 @@ function drawTrial(app, display, isPractice) {
   stage.node.addEventListener("focusin", drawBrackets);
   stage.node.addEventListener("focusout", () => queueMicrotask(drawBrackets));
   document.addEventListener("keydown", onKey);
+  if (view.followsDevice) addEventListener("deviceorientation", onDevice);
   const stopWatching = app.screen.onChange(layOut);
   stage.questions.hidden = stage.objects.hidden = true;
   stage.layOut();
@@ -490,6 +499,7 @@ function drawTrial(app, display, isPractice) {
         worn.scene = { panorama: false, words: null };
       }
       document.removeEventListener("keydown", onKey);
+      removeEventListener("deviceorientation", onDevice);
       stopWatching();
       app.screen.watchPicture(null);
     },
