@@ -198,4 +198,20 @@ for (const load of ["given up", "the next"]) {
 }
 assert.deepEqual(settings, [["given up", { scriptAttrs: {} }], ["the next", { scriptAttrs: {} }]]);
 assert.equal(globalThis.jQuery, undefined);
+// A picture has one map of its objects, a clip a list of them. Each is taken for what it is, and nothing else is: what somebody on
+// the way sends in its place is waited out.
+const { makePictures } = await importPart(web, "pictures.js");
+const oneMap = { width_px: 2, height_px: 1, frames: [], runs: [1, 0, 1, 1] };
+for (const [plays, right, wrong] of [[undefined, oneMap, [oneMap]], [{ frames: 2 }, [oneMap, oneMap], oneMap]]) {
+  const answers = [{ login: true }, [], wrong, right].map((json) => JSON.stringify(json));
+  globalThis.addEventListener = (_, over) => over(); // the network is back at once
+  globalThis.removeEventListener = () => {};
+  globalThis.fetch = async (file) => new Response(file === "map.json" ? answers.shift() : "abc");
+  const loaded = new Promise((resolve, reject) => {
+    const picture = { file: "a", bytes: 3, sha256: "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad", map: "map.json" };
+    makePictures([picture], plays, { away: () => {}, progress: (here, all) => resolve([here, all]), failed: reject }).want(["a"]);
+  });
+  assert.deepEqual(await loaded, [1, 1]);
+  assert.deepEqual(answers, [], "a map was taken that is none");
+}
 console.log("the page's parts keep their laws");
