@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "stimuli/settings/settings_text.h"
@@ -91,6 +92,7 @@ void read_setting(const TomlTable& table, const Setting<Owner>& row, Owner& owne
 /// allows and for settings that would have no meaning. `finish` is the caller's.
 template <class Owner>
 void read_settings(const TomlTable& table, Owner& owner) {
+  static_assert(!settings_of<Owner>.empty() || std::is_empty_v<Owner>, "include the header with its rows");
   for (const Setting<Owner>& row : settings_of<Owner>)
     if (!row.key.empty() && !row.is_read_apart) read_setting(table, row, owner);
 }

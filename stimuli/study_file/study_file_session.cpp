@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "stimuli/settings/people/analysis_settings.h"
 #include "stimuli/settings/people/session_settings.h"
 #include "stimuli/settings/read_settings.h"
 #include "stimuli/study_file/moving/study_file_late_frames.h"
