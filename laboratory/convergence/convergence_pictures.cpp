@@ -39,8 +39,7 @@ std::vector<std::pair<std::string, Mitigation>> mitigations() {
   return {{"depth mesh", {}},
           {"edges and shadows of the photograph",
            {.occlusion = Occlusion::edges, .shadow = ShadowMitigation::detected}},
-          {"painted mask and matte",
-           {.occlusion = Occlusion::mask, .shadow = ShadowMitigation::matte}}};
+          {"painted mask and matte", {.occlusion = Occlusion::mask, .shadow = ShadowMitigation::matte}}};
 }
 
 }  // namespace

@@ -85,7 +85,8 @@ TEST_P(EveryScene, AFilteredSkyAgreesWithPathWithinBothErrors) {
     const double difference =
         display_rmse(compose(a.sums).picture, compose(b.sums).picture, large.exposure_ev());
     EXPECT_LT(difference, 1.15 * std::hypot(*a.rmse, *b.rmse)) << word(artifact);
-    // At equal samples the gazebo's holds the filter's bias, as above: up to 1.12. It needs fewer rays a sample.
+    // At equal samples the gazebo's holds the filter's bias, as above: up to 1.12. It needs fewer rays a
+    // sample.
     EXPECT_LT(*a.rmse, 1.2 * *b.rmse) << word(artifact);
   }
 }
