@@ -4,7 +4,7 @@ import { execFileSync } from "node:child_process";
 import { cpSync, mkdirSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { realServe } from "./hosts.mjs";
-import { actUntil, axeSource, openBrowser } from "./person.mjs";
+import { actUntil, axeSource, inFirefox, openBrowser } from "./person.mjs";
 
 const work = process.env.SEAMLINE_ONLINE_WORK;
 const program = process.env.SEAMLINE_PROGRAM;
@@ -33,13 +33,13 @@ async function violations(page) {
 const words = (page) => page.evaluate(() => ({ lang: document.documentElement.lang, dir: document.documentElement.dir, title: document.querySelector("h1").textContent }));
 async function look(page, label) {
   await page.waitForTimeout(150);
-  writeFileSync(join(shots, "languages-" + label + ".png"), await page.screenshot());
+  writeFileSync(join(shots, (inFirefox ? "firefox-" : "") + "languages-" + label + ".png"), await page.screenshot());
   assert.deepEqual(await violations(page), [], label);
 }
 
 /** A visit from consent to thanks; `wish` is the browser's language, `query` of the link. */
 async function visit(wish, query, then) {
-  const browser = await openBrowser(mkdtempSync(join(work, "browser-")), { args: ["--lang=" + wish, "--accept-lang=" + wish] });
+  const browser = await openBrowser(mkdtempSync(join(work, "browser-")), { args: ["--lang=" + wish, "--accept-lang=" + wish], languages: wish });
   try {
     const page = browser.pages()[0];
     await page.goto(host.address + query);

@@ -8,9 +8,9 @@ export const inFirefox = Boolean(process.env.SEAMLINE_FIREFOX);
 export const axeSource = require("axe-core").source;
 
 /** Firefox as a distribution has it, by WebDriver BiDi; its storage lasts as long as it runs. */
-async function openFirefox() {
+async function openFirefox(languages) {
   const { firefox } = createRequire(join(process.env.SEAMLINE_FIREFOX_MODULES, "x.js"))("playwright-core");
-  const prefs = { "webgl.force-enabled": true, "gfx.webrender.software": true };
+  const prefs = { "webgl.force-enabled": true, "gfx.webrender.software": true, ...(languages ? { "intl.accept_languages": languages } : {}) };
   const browser = await firefox.launch({ executablePath: process.env.SEAMLINE_FIREFOX, channel: "moz-firefox", headless: true, firefoxUserPrefs: prefs });
   const context = await browser.newContext({ viewport: null });
   await context.newPage();
@@ -18,9 +18,9 @@ async function openFirefox() {
   return context;
 }
 
-/** A browser with its own storage; `ratio` is the screen's, as a driver's emulation would not be. */
-export function openBrowser(folder, { ratio = 1, width = 1280, height = 900, args = [] } = {}) {
-  if (inFirefox) return openFirefox();
+/** A browser with its own storage that wishes `languages`; `ratio` is the screen's, as a driver's emulation would not be. */
+export function openBrowser(folder, { ratio = 1, width = 1280, height = 900, args = [], languages } = {}) {
+  if (inFirefox) return openFirefox(languages);
   return chromium.launchPersistentContext(folder, {
     executablePath: process.env.SEAMLINE_CHROMIUM,
     headless: true,
