@@ -7,7 +7,7 @@ import { execFileSync } from "node:child_process";
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { staticHost } from "./hosts.mjs";
-import { act, look, openBrowser } from "./person.mjs";
+import { act, axeFindings, look, openBrowser, panoramaFiles } from "./person.mjs";
 
 const work = process.env.SEAMLINE_ONLINE_WORK;
 const shots = join(work, "shots");
@@ -53,6 +53,7 @@ async function turn(yaw_deg, pitch_deg) {
  * a headset's is upright: the pose is made level before.
  */
 async function putOn() {
+  await shot("before");
   await page.evaluate(() => {
     const { device } = globalThis;
     device.quaternion.set(0, 0, 0, 1);
@@ -78,6 +79,7 @@ const shot = async (name) => {
   if (taken.has(name)) return;
   taken.add(name);
   writeFileSync(join(shots, "headset-" + name + ".png"), await page.screenshot());
+  assert.deepEqual(await axeFindings(page), [], "axe: " + name);
 };
 
 /** Where the middle of an object is from the start. */
@@ -100,7 +102,7 @@ async function readEyes(picture) {
     writeFileSync(join(codes, at + ".rgba"), Buffer.from(text, "base64"));
     return { ...pose, half, middle, size: [width, height], panorama };
   });
-  writeFileSync(join(codes, "poses.json"), JSON.stringify({ panorama: join(folder, picture), set: join(work, "head-set"), poses }));
+  writeFileSync(join(codes, "poses.json"), JSON.stringify({ ...panoramaFiles(folder, picture), set: join(work, "head-set"), poses }));
   const text = execFileSync("/usr/bin/python3", [join(import.meta.dirname, "panorama_view.py"), codes], { encoding: "utf8" }).trim();
   return { text, poses, eyes: poses.map((pose) => pose.panorama), worst: Number(/difference ([0-9.]+)/.exec(text)[1]) };
 }

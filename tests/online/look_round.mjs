@@ -6,7 +6,7 @@ import { execFileSync } from "node:child_process";
 import { mkdirSync, mkdtempSync, readFileSync, readlinkSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { staticHost } from "./hosts.mjs";
-import { act, actUntil, inFirefox, look, openBrowser } from "./person.mjs";
+import { act, actUntil, axeFindings, inFirefox, look, openBrowser, panoramaFiles } from "./person.mjs";
 
 const work = process.env.SEAMLINE_ONLINE_WORK;
 const shots = join(work, "shots");
@@ -27,7 +27,14 @@ async function open() {
 }
 await open();
 const prefix = inFirefox ? "look-firefox-" : "look-";
-const shot = async (name) => writeFileSync(join(shots, prefix + name + ".png"), await page.screenshot());
+const shown = new Set();
+/** A picture to look at; axe has nothing to say of what it shows. */
+const shot = async (name) => {
+  writeFileSync(join(shots, prefix + name + ".png"), await page.screenshot());
+  if (shown.has(name)) return;
+  shown.add(name);
+  assert.deepEqual(await axeFindings(page), [], "axe: " + name);
+};
 
 /** The browser's own process ends as by a crash, found by its profile's lock; it is opened again. */
 async function kill() {
@@ -40,6 +47,15 @@ async function kill() {
 const disruptions = new Map(); // by "ANSWERED PHASE", each once
 disruptions.set("2 choosing", () => page.reload()).set("5 rating", () => page.reload());
 disruptions.set("8 rating", inFirefox ? () => page.reload() : kill);
+
+/** What another program says of views of a trial's panorama that were drawn: how far they are apart. */
+function compareCodes(trial, texts, { view_px, horizontal_fov_deg }, poses) {
+  texts.forEach((text, i) => writeFileSync(join(codes, i + ".rgba"), Buffer.from(text, "base64")));
+  writeFileSync(join(codes, "poses.json"), JSON.stringify({ ...panoramaFiles(folder, trial.picture), view_px, horizontal_fov_deg, poses }));
+  const words = execFileSync("/usr/bin/python3", [join(import.meta.dirname, "panorama_view.py"), codes], { encoding: "utf8" }).trim();
+  assert.ok(Number(/difference ([0-9.]+)/.exec(words)[1]) <= 1, words);
+  return words;
+}
 
 /** Twenty poses of a trial's panorama, as the graphics draw them, against the resampling of another program. */
 async function comparePoses(trial) {
@@ -60,10 +76,7 @@ async function comparePoses(trial) {
     },
     [trial.stimulus_id, poses]
   );
-  drawn.texts.forEach((text, i) => writeFileSync(join(codes, i + ".rgba"), Buffer.from(text, "base64")));
-  const { view_px, horizontal_fov_deg } = drawn.look;
-  writeFileSync(join(codes, "poses.json"), JSON.stringify({ panorama: join(folder, trial.picture), view_px, horizontal_fov_deg, poses }));
-  console.log(execFileSync("/usr/bin/python3", [join(import.meta.dirname, "panorama_view.py"), codes], { encoding: "utf8" }).trim());
+  console.log(compareCodes(trial, drawn.texts, drawn.look, poses));
 }
 
 const middleOf = async () => {

@@ -6,7 +6,7 @@ import { execFileSync } from "node:child_process";
 import { mkdirSync, mkdtempSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { staticHost } from "./hosts.mjs";
-import { act, look, openBrowser } from "./person.mjs";
+import { act, look, openBrowser, panoramaFiles } from "./person.mjs";
 
 const work = process.env.SEAMLINE_ONLINE_WORK;
 const codes = join(work, "views-codes");
@@ -60,7 +60,7 @@ const poses = eyes.map(({ codes: text, pose, half, middle, width, height, panora
   writeFileSync(join(codes, at + ".rgba"), Buffer.from(text, "base64"));
   return { ...pose, half, middle, size: [width, height], panorama };
 });
-writeFileSync(join(codes, "poses.json"), JSON.stringify({ panorama: join(folder, seen.trial.picture), set: join(work, "views-set"), poses }));
+writeFileSync(join(codes, "poses.json"), JSON.stringify({ ...panoramaFiles(folder, seen.trial.picture), set: join(work, "views-set"), poses }));
 const text = execFileSync("/usr/bin/python3", [join(import.meta.dirname, "panorama_view.py"), codes], { encoding: "utf8" }).trim();
 console.log("five views of one session: " + text);
 assert.ok(Number(/difference ([0-9.]+)/.exec(text)[1]) <= 1);

@@ -1,5 +1,5 @@
 """Views of a panorama in double precision, written without a look at the program: FOLDER/poses.json says which, FOLDER/N.rgba
-holds what was drawn (lowest row first). Prints the largest difference in codes, and how many pixels differ by more than one."""
+holds what was drawn (lowest row first). With "base" the panorama is the sum of both files' codes, modulo 256. Prints the largest difference in codes, and how many pixels differ by more than one."""
 import json
 import sys
 from pathlib import Path
@@ -53,6 +53,8 @@ if __name__ == "__main__":
     folder = Path(sys.argv[1])
     asked = json.loads((folder / "poses.json").read_text())
     panorama = np.asarray(Image.open(asked["panorama"]).convert("RGB"))
+    if asked.get("base"):
+        panorama = panorama + np.asarray(Image.open(asked["base"]).convert("RGB"))
     if "set" in asked:
         check_eyes(panorama, Path(asked["set"]))
     worst, beyond = 0.0, 0

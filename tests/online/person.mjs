@@ -1,5 +1,6 @@
 // A person at the page: looks at which screen it is, then clicks and types.
 import { createRequire } from "node:module";
+import { readFileSync } from "node:fs";
 import { join } from "node:path";
 
 const require = createRequire(join(process.env.SEAMLINE_NODE_MODULES, "x.js"));
@@ -28,6 +29,19 @@ export function openBrowser(folder, { ratio = 1, width = 1280, height = 900, arg
     acceptDownloads: true,
     args: ["--force-device-scale-factor=" + ratio, "--window-size=" + width + "," + height, "--screen-info={" + width + "x" + height + "}", "--force-color-profile=srgb", ...args],
   });
+}
+
+/** The files of an exported page that add up to a trial's panorama, as panorama_view.py takes them. */
+export function panoramaFiles(folder, picture) {
+  const { base } = JSON.parse(readFileSync(join(folder, "study.json"), "utf8")).pictures.find(({ file }) => file === picture);
+  return { panorama: join(folder, picture), base: base ? join(folder, base) : null };
+}
+
+/** What axe finds wrong with the page as it is. */
+export async function axeFindings(page) {
+  await page.evaluate(axeSource);
+  const { violations } = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ["violations"] }));
+  return violations.map(({ id, nodes }) => id + ": " + nodes.map(({ html }) => html.slice(0, 120)).join(", "));
 }
 
 /** What is on the screen: read, never written. */

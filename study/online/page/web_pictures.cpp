@@ -50,6 +50,35 @@ std::string picture_bytes(const RenderedSet& set, const Trial& trial) {
   return {};
 }
 
+/// What must be added to each code of `base`, modulo 256.
+ByteImage difference_from(const ByteImage& base, ByteImage picture) {
+  for (std::size_t i = 0; i < picture.values.size(); ++i)
+    picture.values[i] = static_cast<std::uint8_t>(picture.values[i] - base.values[i]);
+  return picture;
+}
+
+ByteImage whole_panorama(const RenderedSet& set, const Trial& trial) {
+  return has_more_eyes(set, trial) ? load_all_eyes(set, trial) : load_trial_picture(set, trial);
+}
+
+/// Adds a panorama as its difference from the scene's reference where that file is smaller.
+std::string add_panorama(const RenderedSet& set, const Trial& trial, WebFiles& files, WebPictures& pictures) {
+  const std::string whole = picture_bytes(set, trial);
+  const Trial reference{.kind = TrialKind::reference, .stimulus = trial.stimulus};
+  const bool one_eye_for_both = has_more_eyes(set, trial) && trial.kind == TrialKind::attention;
+  if (trial.kind != TrialKind::reference && !one_eye_for_both) {
+    const std::string apart =
+        png_bytes(difference_from(whole_panorama(set, reference), whole_panorama(set, trial)));
+    if (apart.size() < whole.size()) {
+      const std::string base = files.add_by_content("pictures", picture_bytes(set, reference), ".png");
+      const std::string file = files.add_by_content("pictures", apart, ".png");
+      pictures.base[file] = base;
+      return file;
+    }
+  }
+  return files.add_by_content("pictures", whole, ".png");
+}
+
 /// Trials that show the same picture have the same key.
 std::string subject_of(const RenderedSet& set, const Trial& trial) {
   const ManifestStimulus& record = record_at(set, trial.stimulus);
@@ -133,12 +162,15 @@ WebPictures add_pictures(const RenderedSet& set, const ShownNames& names, WebFil
   for (const Trial& trial : every_trial(set, names)) {
     stop_if_interrupted();
     std::string& file = of_subject[subject_of(set, trial)];
-    if (file.empty()) file = files.add_by_content(folder, picture_bytes(set, trial), ending);
+    if (file.empty())
+      file = is_panorama(set.study) ? add_panorama(set, trial, files, pictures)
+                                    : files.add_by_content(folder, picture_bytes(set, trial), ending);
     pictures.file[{trial.kind, trial.stimulus}] = file;
     if (pictures.map.contains(file)) continue;
     std::string& map = map_of_name[name_of_maps(set, trial)];
     if (map.empty()) map = files.add_by_content("maps", maps_text(set, trial), ".json");
     pictures.map[file] = map;
+    if (pictures.base.contains(file)) pictures.map[pictures.base.at(file)] = map;
   }
   return pictures;
 }

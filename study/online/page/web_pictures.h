@@ -15,12 +15,16 @@ namespace seamline::study::online {
 struct WebPictures {
   std::map<std::pair<TrialKind, int>, std::string> file;  ///< by kind and stimulus
   std::map<std::string, std::string> map;                 ///< the objects' map of a picture's file
+  /// Of a file that holds what a panorama differs by: the panorama that it is added to, code by code, modulo
+  /// 256.
+  std::map<std::string, std::string> base;
 };
 
 /// Adds every picture or clip that a trial of the set can show, and the maps of where their objects are (of a
 /// clip an array of them, one a frame). Stimuli and references are copied byte for byte after their bytes
-/// were compared with the manifest's; those of attention trials are made as the window makes them. Throws
-/// InputError naming the picture that is missing or changed.
+/// were compared with the manifest's; those of attention trials are made as the window makes them. Panoramas
+/// are differences from their scene's reference where these are smaller. Throws InputError naming the picture
+/// that is missing or changed.
 [[nodiscard]] WebPictures add_pictures(const RenderedSet& set, const ShownNames& names, WebFiles& files);
 
 /// An object map as JSON: size, frames, and `runs`: count and object by turns, row after row.

@@ -179,13 +179,16 @@ Json catches_json(const WebStudy& web) {
 
 Json pictures_json(const WebStudy& web) {
   Json pictures = Json::array();
-  for (const auto& [file, map] : web.pictures.map)
+  for (const auto& [file, map] : web.pictures.map) {
     pictures.push_back({{"file", file},
                         {"sha256", web.files.at(file).sha256},
                         {"bytes", web.files.at(file).bytes},
                         {"width_px", web.set.manifest.width_px},
                         {"height_px", web.set.manifest.height_px},
                         {"map", map}});
+    if (const auto base = web.pictures.base.find(file); base != web.pictures.base.end())
+      pictures.back()["base"] = base->second;
+  }
   return pictures;
 }
 

@@ -29,6 +29,18 @@ void main() {
   colour = vec4(mix(upper, lower, f.y), 1);
 }`;
 
+// Panoramas of a scene share most of their codes: a file may hold what is added to those of another, modulo 256.
+const SUM = `#version 300 es
+precision highp float;
+precision highp sampler2D;
+uniform sampler2D base, difference;
+out vec4 colour;
+void main() {
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  vec3 sum = floor(255.0 * texelFetch(base, at, 0).rgb + 0.5) + floor(255.0 * texelFetch(difference, at, 0).rgb + 0.5);
+  colour = vec4((sum - 256.0 * step(255.5, sum)) / 255.0, 1);
+}`;
+
 function programOf(gl, vertex = VERTEX, fragment = FRAGMENT) {
   const program = gl.createProgram();
   for (const [kind, text] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
@@ -66,8 +78,13 @@ export function makeView(lost = () => {}) {
   gl.disable(gl.DITHER);
   const at = (name) => gl.getUniformLocation(program, name);
   const uniforms = { axes: at("axes"), half: at("half_tangents"), middle: at("middle"), corner: at("corner_px"), view: at("view_px"), first: at("first_row"), rows: at("rows") };
-  gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
-  for (const side of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, side, gl.NEAREST);
+  const makeTexture = () => {
+    const texture = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    for (const side of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, side, gl.NEAREST);
+    return texture;
+  };
+  const shown = makeTexture();
   gl.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
   gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
   let size = null; // of one eye's panorama, which is twice as wide as high
@@ -78,16 +95,46 @@ export function makeView(lost = () => {}) {
     eyes = Math.max(1, Math.round((2 * height) / width));
     size = { width, height: height / eyes };
   };
+  const fill = (texture, image) => {
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, gl.RGBA, gl.UNSIGNED_BYTE, image);
+  };
+  let sum = null; // made when the first difference is shown
+  /** Draws the sum of an image and its base into the texture that is shown; the base, which most images share, stays in memory. */
+  function addUp(image, width, height) {
+    sum ??= { program: programOf(gl, VERTEX, SUM), base: makeTexture(), difference: makeTexture(), target: gl.createFramebuffer(), holds: null };
+    if (sum.holds !== image.base) fill(sum.base, image.base);
+    sum.holds = image.base;
+    fill(sum.difference, image);
+    gl.bindTexture(gl.TEXTURE_2D, shown);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, width, height, 0, gl.RGBA, gl.UNSIGNED_BYTE, null);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, sum.target);
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, shown, 0);
+    gl.viewport(0, 0, width, height);
+    gl.useProgram(sum.program);
+    for (const [unit, name] of [[1, "base"], [2, "difference"]]) {
+      gl.activeTexture(gl.TEXTURE0 + unit);
+      gl.bindTexture(gl.TEXTURE_2D, sum[name]);
+      gl.uniform1i(gl.getUniformLocation(sum.program, name), unit);
+    }
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.activeTexture(gl.TEXTURE0);
+    fill(sum.difference, new ImageData(1, 1));
+    gl.bindTexture(gl.TEXTURE_2D, shown);
+  }
   const view = {
     canvas,
     gl,
     programOf: (vertex, fragment) => programOf(gl, vertex, fragment),
     size: () => size,
     eyes: () => eyes,
-    /** The panorama that is shown from now on: an image, or ImageData. */
+    /** The panorama that is shown from now on: an image, or ImageData; with `base` what it differs by from that. */
     put(panorama) {
-      take(panorama.naturalWidth ?? panorama.width, panorama.naturalHeight ?? panorama.height);
-      gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, gl.RGBA, gl.UNSIGNED_BYTE, panorama);
+      const [width, height] = [panorama.naturalWidth ?? panorama.width, panorama.naturalHeight ?? panorama.height];
+      take(width, height);
+      if (panorama.base) addUp(panorama, width, height);
+      else fill(shown, panorama);
     },
     draw(look, pose, eye = 0) {
       const [width, height] = look.view_px;
@@ -120,16 +167,22 @@ export function makeView(lost = () => {}) {
 }
 
 /**
- * Draws views of two eyes' small panoramas whose codes are known and reads them back: the largest difference from double
- * precision, in codes. The poses look all round, up and down, and across the seam.
+ * Draws views of two eyes' small panoramas whose codes are known, whole and as the difference from others, and reads them back: how
+ * far they are from double precision at most, in codes. The poses look all round, up and down, and across the seam.
  */
 export function largestFault(view) {
   const panorama = new ImageData(64, 64);
   for (let i = 0; i < 64 * 64; ++i) panorama.data.set([(i * 37) & 255, 4 * (i % 64), 4 * Math.floor(i / 64), 255], 4 * i);
+  const difference = new ImageData(64, 64);
+  difference.base = new ImageData(64, 64);
+  for (let i = 0; i < difference.data.length; ++i) {
+    difference.base.data[i] = i % 4 === 3 ? 255 : (i * 101) & 255;
+    difference.data[i] = i % 4 === 3 ? 255 : (panorama.data[i] - difference.base.data[i]) & 255;
+  }
   const look = { view_px: [48, 27], horizontal_fov_deg: 60 };
-  view.put(panorama);
   let worst = 0;
-  for (const eye of [0, 1])
+  for (const [put, eye] of [[panorama, 0], [panorama, 1], [difference, 0], [difference, 1]]) {
+    view.put(put);
     for (const [yaw_deg, pitch_deg] of [[0, 0], [90, 20], [180, -35], [-135, 60], [17, 88], [-179.5, -85]]) {
       view.draw(look, { yaw_deg, pitch_deg }, eye);
       const codes = view.read();
@@ -140,6 +193,7 @@ export function largestFault(view) {
             worst = Math.max(worst, Math.abs(codes[4 * ((26 - y) * 48 + x) + c] - codeAt(panorama, place, c, eye)));
         }
     }
+  }
   return worst;
 }
 

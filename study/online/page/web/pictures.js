@@ -55,7 +55,8 @@ export function makePictures(known, plays, { away, progress, failed }) {
       const found = await patiently((cache) => fetchChecked(facts.get(file), cache));
       bytes.set(file, new Blob([found], plays ? {} : { type: "image/png" }));
     }
-    const mapFile = facts.get(file).map;
+    const { map: mapFile, base } = facts.get(file);
+    if (base) await load(base);
     if (!maps.has(mapFile)) {
       const packed = await patiently((cache) => fetchJson(mapFile, { cache, isIt: (json) => (plays ? json?.[0] : json)?.frames }));
       maps.set(mapFile, plays ? packed : unpackMap(packed));
@@ -90,20 +91,27 @@ export function makePictures(known, plays, { away, progress, failed }) {
     return { image: clip.canvas, map: mapOf(0), clip, mapOf };
   }
 
+  /**
+   * The decoded picture and the map of its objects. Of a clip its canvas, `clip` that plays it, and `mapOf` its frames. Of a difference
+   * the image that it is added to, as `image.base`.
+   */
+  async function ready(file) {
+    if (plays) return readyClip(file);
+    if (decoded.has(file)) return { image: use(file, decoded.get(file)), map: maps.get(facts.get(file).map) };
+    await load(file);
+    const image = await decode(bytes.get(file));
+    const { base } = facts.get(file);
+    if (base) image.base = (await ready(base)).image;
+    return { image: use(file, image), map: maps.get(facts.get(file).map) };
+  }
+
   return {
     /** What is needed from now on, the most urgent first. */
     want(files) {
       queue = [...new Set([...files, ...queue])].filter((file) => facts.has(file) && !bytes.has(file));
       loading ??= loadAll();
     },
-    /** The decoded picture and the map of its objects. Of a clip its canvas, `clip` that plays it, and `mapOf` its frames. */
-    async ready(file) {
-      if (plays) return readyClip(file);
-      if (decoded.has(file)) return { image: use(file, decoded.get(file)), map: maps.get(facts.get(file).map) };
-      await load(file);
-      const image = await decode(bytes.get(file));
-      return { image: use(file, image), map: maps.get(facts.get(file).map) };
-    },
+    ready,
     /** Trials of so many pictures: those of one and of the next stay decoded. */
     keep(count) {
       most = Math.max(most, 2 * count);
