@@ -62,6 +62,8 @@ struct EstimatorChoices {
   bool keeps_who_is_in_front = false;  ///< what an object hides, and whether it is hidden, of every sample
   /// The photograph's sky is looked for by the rays of bounce light and filtered with it.
   bool filters_sky = false;
+  bool keeps_sky_apart =
+      false;  ///< then: some stimulus takes sky of one geometry and bounce light of another
 
   bool operator==(const EstimatorChoices&) const = default;
 };

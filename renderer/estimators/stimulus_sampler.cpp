@@ -236,7 +236,8 @@ bool StimulusSampler::is_batched(const StimulusSample& sample) const {
 }
 
 PathRules StimulusSampler::uncovered_rules(const Sampler& sampler) const {
-  PathRules rules = path_rules(sampler, sampling_.tail_every, uncovered_is_one_path());
+  PathRules rules = path_rules(sampler, sampling_.tail_every,
+                               uncovered_is_one_path() ? FirstSky::bounce : FirstSky::direct);
   rules.without_first_suns = path_leaves_suns_to_matte();
   return rules;
 }

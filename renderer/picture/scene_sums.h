@@ -63,18 +63,19 @@ struct ObjectPixel {
   float covered = 0, behind_surfaces = 0, hidden_samples = 0;
 };
 
-/// What is mirrored of the light in a `WorldPixel` and an `ObjectPixel`.
-struct WorldMirrored {
+/// A further part of the light that a `WorldPixel` and an `ObjectPixel` are about: what is mirrored, or the
+/// sky.
+struct WorldPart {
   std::array<Rgb, worlds_a_group> seen = {Rgb::Zero(), Rgb::Zero(), Rgb::Zero(), Rgb::Zero()};
 };
-struct ObjectMirrored {
+struct ObjectPart {
   Rgb object = Rgb::Zero(), behind = Rgb::Zero(), behind_with = Rgb::Zero(), hidden = Rgb::Zero();
 };
 
 /// Of a pixel of such sums; nothing where there are none.
-template <class Mirrored>
-[[nodiscard]] const Mirrored& mirrored_at(const std::vector<Mirrored>& sums, std::size_t pixel) {
-  static const Mirrored nothing;
+template <class Part>
+[[nodiscard]] const Part& part_at(const std::vector<Part>& sums, std::size_t pixel) {
+  static const Part nothing;
   return sums.empty() ? nothing : sums[pixel];
 }
 
@@ -114,7 +115,8 @@ class ObjectOnRays {
 /// One object's part of a tile; only tiles that it is seen or hidden in have one.
 struct ObjectTile {
   std::array<std::vector<ObjectPixel>, 2> halves;
-  std::array<std::vector<ObjectMirrored>, 2> mirrored;  ///< likewise, or empty as the scene's
+  std::array<std::vector<ObjectPart>, 2> mirrored;  ///< likewise, or empty as the scene's
+  std::array<std::vector<ObjectPart>, 2> sky;       ///< likewise
   std::vector<SeenSurface> guides;
   /// Of each block. Only when the study asks who is in front.
   std::array<ObjectOnRays, 4> on_rays;
@@ -128,10 +130,12 @@ struct ObjectTile {
 /// All sums of a scene, its worlds and its objects.
 struct SceneSums {
   TileGrid grid;
-  std::size_t groups = 1;                              ///< of worlds, a pixel: as many as its objects need
-  std::array<std::vector<WorldPixel>, 2> halves;       ///< row by row, groups of a pixel side by side
-  std::array<std::vector<WorldMirrored>, 2> mirrored;  ///< likewise; empty where nothing is glossy
-  std::vector<std::vector<SeenSurface>> guides;        ///< of the surfaces that world k shows, at [k - 1]
+  std::size_t groups = 1;                          ///< of worlds, a pixel: as many as its objects need
+  std::array<std::vector<WorldPixel>, 2> halves;   ///< row by row, groups of a pixel side by side
+  std::array<std::vector<WorldPart>, 2> mirrored;  ///< likewise; empty where nothing is glossy
+  /// The sky on the room's surfaces, where it is kept apart: else empty, and in the light.
+  std::array<std::vector<WorldPart>, 2> sky;
+  std::vector<std::vector<SeenSurface>> guides;  ///< of the surfaces that world k shows, at [k - 1]
   std::vector<std::vector<std::unique_ptr<ObjectTile>>> objects;  ///< [object][tile], may be null
   std::vector<int> spp;                                           ///< of each block, even
   RayCounts counts;
@@ -148,7 +152,12 @@ struct SceneSums {
   /// Light of a half that a world shows.
   [[nodiscard]] Split seen(std::size_t half, std::size_t pixel, std::size_t world) const {
     const WorldPlace at = place_of(pixel, world);
-    return halves[half][at.pixel].seen[at.world].with(mirrored_at(mirrored[half], at.pixel).seen[at.world]);
+    return halves[half][at.pixel].seen[at.world].with(part_at(mirrored[half], at.pixel).seen[at.world]);
+  }
+  /// The sky that is kept apart from it.
+  [[nodiscard]] const Rgb& seen_sky(std::size_t half, std::size_t pixel, std::size_t world) const {
+    const WorldPlace at = place_of(pixel, world);
+    return part_at(sky[half], at.pixel).seen[at.world];
   }
   [[nodiscard]] BlockGrid blocks() const { return {grid.width_px, grid.height_px, grid.wraps}; }
   /// Samples of a pixel.

@@ -22,12 +22,18 @@ std::span<const PathLight> PathBatch::trace() {
   found_.assign(starts_.size(), {});
   for (std::size_t path = 0; path < found_.size(); ++path)
     found_[path].light = std::span(lights_).subspan(path * worlds, worlds);
+  const bool has_skies = std::any_of(starts_.begin(), starts_.end(), [](const PathStart& start) {
+    return start.rules.first_sky == FirstSky::apart;
+  });
+  skies_.assign(has_skies ? lights_.size() : 0, Rgb::Zero());
+  for (std::size_t path = 0; has_skies && path < found_.size(); ++path)
+    found_[path].sky = std::span(skies_).subspan(path * worlds, worlds);
   mirrors_ = false;
   mirrored_shares_.clear();
   vertices_.clear();
   for (std::size_t path = 0; path < starts_.size(); ++path) {
     const PathStart& start = starts_[path];
-    add(path, start.set, {.direct = true, .radiance = start.point.emission});
+    add(path, start.set, {.as = As::direct, .radiance = start.point.emission});
     vertices_.push_back({path, start.set, start.point, Rgb::Ones()});
   }
   std::int64_t rays_before_tails = 0;
@@ -43,6 +49,19 @@ std::span<const PathLight> PathBatch::trace() {
     if (vertex > 0 && vertices_.empty()) counts_.tail_rays += counts_.traced - rays_before_tails;
   }
   return found_;
+}
+
+PathBatch::As PathBatch::sky_of_first(const Vertex& vertex) const {
+  if (light_->environment) return As::direct;
+  switch (starts_[vertex.path].rules.first_sky) {
+    case FirstSky::direct:
+      return As::direct;
+    case FirstSky::bounce:
+      return As::bounce;
+    case FirstSky::apart:
+      return As::sky;
+  }
+  return As::direct;
 }
 
 /// Suns in the first surface: highlights, which are direct light.
@@ -65,8 +84,8 @@ void PathBatch::add_light_sample(int number, int vertex) {
     if (const auto from_light = light_sample(*light_, number, at.point, at.throughput,
                                              starts_[at.path].sampler, vertex, hits, SunHits::found))
       ask(at, leaving_ray(at.point, from_light->direction, from_light->far_m),
-          vertex == 0 ? FoundLight{true, from_light->radiance, from_light->mirrored}
-                      : sorted(at.path, false, from_light->total()));
+          vertex == 0 ? FoundLight{As::direct, from_light->radiance, from_light->mirrored}
+                      : sorted(at.path, As::bounce, from_light->total()));
   }
   const bool together = vertex == 0 && number < static_cast<int>(light_->suns.size());
   add_what_arrives(together ? Coherence::together : Coherence::scattered);
@@ -84,20 +103,18 @@ void PathBatch::add_sky_of_first() {
   find_points(dimension::direction(0));
   for (std::size_t i = 0; i < vertices_.size(); ++i) {
     const Vertex& vertex = vertices_[i];
-    const bool joins_bounce = sky_joins_bounce(vertex);
-    const int rays = joins_bounce ? 1 : light_->sky_rays;
+    const As as = sky_of_first(vertex);
+    const int rays = as == As::direct ? light_->sky_rays : 1;
     const auto share = static_cast<float>(rays);
     if (!goes_on) {
       if (const auto next = scatter(*light_, vertex.point, points_[i])) {
         const Rgb sky = vertex.throughput * sky_found(*light_, vertex.point, next->direction);
         ask(vertex, leaving_ray(vertex.point, next->direction, light_->sky_distance_m),
-            {.direct = !joins_bounce,
-             .radiance = sky * next->diffuse() / share,
-             .mirrored = sky * next->specular});
+            {.as = as, .radiance = sky * next->diffuse() / share, .mirrored = sky * next->specular});
         const Rgb suns = first_suns(vertex, next->direction);
         if ((suns > 0.0F).any())
           ask(vertex, leaving_ray(vertex.point, next->direction, light_->sky_distance_m),
-              {.direct = true, .radiance = vertex.throughput * next->weight * suns});
+              {.as = As::direct, .radiance = vertex.throughput * next->weight * suns});
       }
     }
     for (int number = 1; number < rays; ++number) {
@@ -105,7 +122,7 @@ void PathBatch::add_sky_of_first() {
       const Eigen::Vector3f direction = leaving_direction(vertex.point, chosen);
       if (above_horizon(vertex.point, direction))
         ask(vertex, leaving_ray(vertex.point, direction, light_->sky_distance_m),
-            {.direct = !joins_bounce,
+            {.as = as,
              .radiance =
                  vertex.throughput * diffuse_weight(vertex.point, chosen) * light_->sky(direction) / share});
     }
@@ -152,7 +169,7 @@ void PathBatch::go_on(int vertex) {
     const Ray ray = leaving_ray(from.point, next->direction, light_->sky_distance_m);
     if (only_sky) {
       ask(from, ray,
-          sorted(from.path, false,
+          sorted(from.path, As::bounce,
                  from.throughput * (sky_found(*light_, from.point, next->direction) +
                                     suns_found(*light_, from.point, next->direction))));
     } else {
@@ -185,15 +202,16 @@ void PathBatch::meet(const Vertex& from, WorldSet set, const Eigen::Vector3f& di
                      const std::optional<SurfacePoint>& hit, int vertex) {
   const PathRules& rules = starts_[from.path].rules;
   if (!hit) {
-    const bool direct = vertex == 0 && !sky_joins_bounce(from);
-    const float rays = direct ? static_cast<float>(light_->sky_rays) : 1.0F;
-    FoundLight sky = sorted(from.path, direct, from.throughput * sky_found(*light_, from.point, direction));
+    const As as = vertex == 0 ? sky_of_first(from) : As::bounce;
+    const float rays = as == As::direct ? static_cast<float>(light_->sky_rays) : 1.0F;
+    FoundLight sky = sorted(from.path, as, from.throughput * sky_found(*light_, from.point, direction));
     sky.radiance /= rays;
     add(from.path, set, sky);
     if (!finds_suns(*light_, from.point)) return;
     add(from.path, set,
-        vertex == 0 ? FoundLight{.direct = true, .radiance = from.throughput * first_suns(from, direction)}
-                    : sorted(from.path, false, from.throughput * suns_found(*light_, from.point, direction)));
+        vertex == 0
+            ? FoundLight{.as = As::direct, .radiance = from.throughput * first_suns(from, direction)}
+            : sorted(from.path, As::bounce, from.throughput * suns_found(*light_, from.point, direction)));
     return;
   }
   if (vertex == 0 && (set & rules.reach_of) != 0)
@@ -201,13 +219,14 @@ void PathBatch::meet(const Vertex& from, WorldSet set, const Eigen::Vector3f& di
   if (emits_) {
     const FoundEmission emission = emission_found(*light_, from.point, direction, *hit);
     add(from.path, set,
-        sorted(from.path, emission.is_lamp && vertex == 0, from.throughput * emission.radiance));
+        sorted(from.path, emission.is_lamp && vertex == 0 ? As::direct : As::bounce,
+               from.throughput * emission.radiance));
   }
   if (vertex >= light_->bounces) return;
   if (sends_photograph(*light_, *hit)) {
     if ((set & only_world(0)) != 0)
       add(from.path, only_world(0),
-          sorted(from.path, false,
+          sorted(from.path, As::bounce,
                  from.throughput * change_of_sent(*worlds_->room, *worlds_->objects, *hit, *light_,
                                                   starts_[from.path].sampler, vertex, &counts_)));
     return;
@@ -217,10 +236,10 @@ void PathBatch::meet(const Vertex& from, WorldSet set, const Eigen::Vector3f& di
 }
 
 /// Light that a path found, by how it left its first surface.
-PathBatch::FoundLight PathBatch::sorted(std::size_t path, bool direct, const Rgb& light) const {
-  if (!mirrors_) return {.direct = direct, .radiance = light};
+PathBatch::FoundLight PathBatch::sorted(std::size_t path, As as, const Rgb& light) const {
+  if (!mirrors_) return {.as = as, .radiance = light};
   const Rgb mirrored = mirrored_shares_[path] * light;
-  return {.direct = direct, .radiance = light - mirrored, .mirrored = mirrored};
+  return {.as = as, .radiance = light - mirrored, .mirrored = mirrored};
 }
 
 void PathBatch::ask(const Vertex& vertex, const Ray& ray, const FoundLight& light) {
@@ -242,8 +261,19 @@ void PathBatch::add_what_arrives(Coherence coherence) {
 
 void PathBatch::add(std::size_t path, WorldSet set, const FoundLight& found) {
   for (unsigned left = set; left != 0; left &= left - 1) {
-    Split& light = found_[path].light[static_cast<std::size_t>(std::countr_zero(left))];
-    (found.direct ? light.direct : light.bounce) += found.radiance;
+    const auto world = static_cast<std::size_t>(std::countr_zero(left));
+    Split& light = found_[path].light[world];
+    switch (found.as) {
+      case As::direct:
+        light.direct += found.radiance;
+        break;
+      case As::bounce:
+        light.bounce += found.radiance;
+        break;
+      case As::sky:
+        found_[path].sky[world] += found.radiance;
+        break;
+    }
     if (glossy_) light.mirrored += found.mirrored;
   }
 }

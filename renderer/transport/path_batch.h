@@ -7,22 +7,29 @@
 
 namespace seamline::renderer {
 
+/// Which light a constant sky at a path's first surface is counted as. A map's light has edges, which no
+/// filter may touch: it is direct light.
+enum class FirstSky {
+  direct,
+  bounce,  ///< it may be filtered with it
+  apart    ///< in `PathLight::sky`, so that it may be filtered, and taken away again
+};
+
 /// How one path is traced. Its tail is what comes after the sun at its second surface: to save rays without
 /// bias only every few samples trace it, and then it counts as many times.
 struct PathRules {
   bool has_tail = true;
   float tail_weight = 1.0F;
-  /// A constant sky at the first surface is added to the light that may be filtered.
-  bool sky_joins_bounce = false;
+  FirstSky first_sky = FirstSky::direct;
   bool without_first_suns = false;  ///< another answers what suns do at the first surface
   WorldSet reach_of = 0xFFFF;       ///< worlds by which `PathLight::reach_m` is measured
 };
 /// Every `tail_every`-th sample of each half has a tail.
 [[nodiscard]] inline PathRules path_rules(const Sampler& sampler, int tail_every,
-                                          bool sky_joins_bounce = false) {
+                                          FirstSky first_sky = FirstSky::direct) {
   return {.has_tail = sampler.turn(tail_every) == 0,
           .tail_weight = static_cast<float>(tail_every),
-          .sky_joins_bounce = sky_joins_bounce};
+          .first_sky = first_sky};
 }
 
 /// Where a path begins.
@@ -39,6 +46,7 @@ struct PathLight {
   /// as direct light, so that no filter of bounce light touches it. [world]; lives as long as the batch,
   /// until it begins anew.
   std::span<Split> light = {};
+  std::span<Rgb> sky = {};  ///< likewise, of `FirstSky::apart`; empty where no path of the batch has one
   /// How far the first ray got, in those of `PathRules::reach_of` that show the point; infinity: to the sky.
   float reach_m = std::numeric_limits<float>::infinity();
 };
@@ -66,8 +74,9 @@ class PathBatch {
     Rgb throughput;       ///< from the surface to the camera, without its own albedo
     float spread = 1.0F;  ///< of the lobe by which the path leaves
   };
+  enum class As { direct, bounce, sky };
   struct FoundLight {
-    bool direct = false;  ///< else bounce
+    As as = As::bounce;
     Rgb radiance = Rgb::Zero();
     Rgb mirrored = Rgb::Zero();
   };
@@ -85,17 +94,14 @@ class PathBatch {
            starts_[at.path].rules.without_first_suns;
   }
   void add_light_sample(int number, int vertex);
-  /// A map's light has edges, which no filter of bounce light may touch.
-  [[nodiscard]] bool sky_joins_bounce(const Vertex& vertex) const {
-    return starts_[vertex.path].rules.sky_joins_bounce && !light_->environment;
-  }
+  [[nodiscard]] As sky_of_first(const Vertex& vertex) const;
   [[nodiscard]] Rgb first_suns(const Vertex& vertex, const Eigen::Vector3f& direction) const;
   void add_sky_of_first();
   void thin_tails();
   void go_on(int vertex);
   void meet(const Vertex& from, WorldSet set, const Eigen::Vector3f& direction,
             const std::optional<SurfacePoint>& hit, int vertex);
-  [[nodiscard]] FoundLight sorted(std::size_t path, bool direct, const Rgb& light) const;
+  [[nodiscard]] FoundLight sorted(std::size_t path, As as, const Rgb& light) const;
   void ask(const Vertex& vertex, const Ray& ray, const FoundLight& light);
   void add_what_arrives(Coherence coherence);
   void add(std::size_t path, WorldSet set, const FoundLight& found);
@@ -110,6 +116,7 @@ class PathBatch {
   std::vector<PathStart> starts_;
   std::vector<PathLight> found_;
   std::vector<Split> lights_;  ///< of `found_`, path by path
+  std::vector<Rgb> skies_;     ///< likewise
   std::vector<Vertex> vertices_, next_vertices_;
   std::vector<Eigen::Array2f> points_;  ///< of each vertex
   std::vector<Ray> rays_;

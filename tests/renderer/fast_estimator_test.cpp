@@ -91,6 +91,33 @@ TEST_P(EveryScene, AFilteredSkyAgreesWithPathWithinBothErrors) {
   }
 }
 
+/// Sky that is filtered, and kept apart because stimuli take sky of one geometry and bounce light of another.
+TEST_P(EveryScene, ASkyKeptApartIsTakenOutOfTheBounceLightAndLeftInTheSum) {
+  const EstimateOptions options{.spp = 16, .seed = 1, .threads = 2};
+  const auto apart = subject.estimator(Estimator::fast, options);
+  EXPECT_EQ(apart->choices().keeps_sky_apart, apart->choices().filters_sky);
+  EXPECT_EQ(apart->choices().keeps_sky_apart, !subject.scene.definition.ambient_occlusion);
+  EstimateOptions of_one = options;
+  of_one.light_of_one_geometry = true;
+  const auto together = subject.estimator(Estimator::fast, of_one);
+  // The same rays find both, so the photographs differ by what the objects keep apart alone.
+  const double difference = display_rmse(background_image(apart->truth()),
+                                         background_image(together->truth()), subject.exposure_ev());
+  EXPECT_LT(difference, 0.01);
+  if (!apart->choices().keeps_sky_apart) return;
+  double sky = 0, bounce = 0, both = 0;
+  for (std::size_t half = 0; half < 2; ++half)
+    for (std::size_t i = 0; i < apart->truth().halves[half].size(); ++i) {
+      const Split& one = apart->truth().halves[half][i].without_object;
+      const Split& joined = together->truth().halves[half][i].without_object;
+      sky += double{one.direct.sum()} - double{joined.direct.sum()};
+      bounce += double{one.bounce.sum()};
+      both += double{joined.bounce.sum()};
+    }
+  EXPECT_GT(sky, 0.05 * both);
+  EXPECT_NEAR(sky + bounce, both, 0.01 * both);
+}
+
 TEST_P(EveryScene, NothingAskedOfTheDepthMeshIsTheReference) {
   const auto fast = subject.estimator(Estimator::fast, {.spp = 8, .seed = 1, .threads = 2});
   const Image none =

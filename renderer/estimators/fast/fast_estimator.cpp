@@ -26,6 +26,11 @@ struct PhotographJudgement {
   }
 };
 
+FirstSky first_sky(const EstimatorChoices& choices) {
+  if (!choices.filters_sky) return FirstSky::direct;
+  return choices.keeps_sky_apart ? FirstSky::apart : FirstSky::bounce;
+}
+
 class FastEstimator : public SceneEstimator {
  public:
   FastEstimator(const TruthScene& scene, const EstimateOptions& options)
@@ -59,7 +64,8 @@ class FastEstimator : public SceneEstimator {
     geometry_.reset();
     geometry_.emplace(object_geometry(scene_, object_index));
     object_index_ = object_index;
-    truth_ = truth_sums_of(object_index, filter());
+    truth_ = truth_sums(sums_, scene_.camera, scene_.light, object_index,
+                        {.filter = filter(), .sky_apart = true, .threads = threads_});
     if (keeps_error_maps_) find_filtered(object_index);
   }
 
@@ -184,7 +190,7 @@ class FastEstimator : public SceneEstimator {
     ScenePassOptions options{.seed = seed_,
                              .threads = threads_,
                              .tail_every = choices_.tail_every,
-                             .filters_sky = choices_.filters_sky,
+                             .first_sky = first_sky(choices_),
                              .who_is_in_front = choices_.keeps_who_is_in_front,
                              .seen = seen_.get(),
                              .progress = {}};

@@ -114,7 +114,7 @@ class TileSampler {
     const int object = front == nullptr ? 0 : front->object_index;
     const Followed seen{LightOf::front, object, sums_.index(x, y), place, half, x, y, object};
     const Sampler sampler(options_.seed, x, y, sample);
-    const PathRules rules = path_rules(sampler, options_.tail_every, options_.filters_sky);
+    const PathRules rules = path_rules(sampler, options_.tail_every);
     if (front != nullptr) {
       const WorldSet set = geometry_.worlds.all() & ~(object == 0 ? 0 : only_world(object));
       follow(seen, {set, *front, sampler, rules});
@@ -160,8 +160,16 @@ class TileSampler {
   void follow(const Followed& followed, PathStart start) {
     if (options_.seen != nullptr && followed.light_of != LightOf::hidden)
       options_.seen->even_out(followed.x, followed.y, followed.front, start.point);
+    start.rules.first_sky = first_sky(start.point);
     followed_.push_back(followed);
     paths_.add(start);
+  }
+
+  /// On an object the sky is kept in its light, because what the depth mesh changes of both is asked for at
+  /// once.
+  [[nodiscard]] FirstSky first_sky(const SurfacePoint& point) const {
+    const bool apart = options_.first_sky == FirstSky::apart;
+    return apart && point.object_index != 0 ? FirstSky::direct : options_.first_sky;
   }
 
   void follow_paths() {
@@ -188,6 +196,11 @@ class TileSampler {
         see(followed, object, point, found);
         own->behind += found.light[static_cast<std::size_t>(object)];
         own->behind_with += found.light[0];
+        if (!found.sky.empty()) {
+          ObjectPart& sky = object_tile(object).sky[followed.half][followed.place];
+          sky.behind += found.sky[static_cast<std::size_t>(object)];
+          sky.behind_with += found.sky[0];
+        }
         if (!mirrors()) return;
         own_mirrored(followed).behind += found.light[static_cast<std::size_t>(object)].mirrored;
         own_mirrored(followed).behind_with += found.light[0].mirrored;
@@ -205,12 +218,13 @@ class TileSampler {
     WorldPixel& sums = sums_.halves[followed.half][at.pixel];
     sums.seen[at.world] += found.light[v];
     if (mirrors()) sums_.mirrored[followed.half][at.pixel].seen[at.world] += found.light[v].mirrored;
+    if (!found.sky.empty()) sums_.sky[followed.half][at.pixel].seen[at.world] += found.sky[v];
     sums.surfaces[at.world] += 1.0F;
     if (world > 0) sums_.guides[v - 1][followed.pixel].add(point, found.reach_m);
   }
 
   [[nodiscard]] bool mirrors() const { return !sums_.mirrored[0].empty(); }
-  ObjectMirrored& own_mirrored(const Followed& followed) {
+  ObjectPart& own_mirrored(const Followed& followed) {
     return object_tile(followed.object).mirrored[followed.half][followed.place];
   }
 
@@ -221,6 +235,8 @@ class TileSampler {
       for (auto& half : there->halves) half.resize(tile_pixels);
       if (mirrors())
         for (auto& half : there->mirrored) half.resize(tile_pixels);
+      if (options_.first_sky == FirstSky::apart)
+        for (auto& half : there->sky) half.resize(tile_pixels);
       there->guides.resize(tile_pixels);
     }
     return *there;
@@ -261,6 +277,8 @@ void add_samples(const TruthScene& scene, const SceneGeometry& geometry, const s
   std::mutex counting;
   if (geometry.worlds.room->is_glossy() || geometry.worlds.objects->is_glossy())
     for (std::size_t half = 0; half < 2; ++half) sums.mirrored[half].resize(sums.halves[half].size());
+  if (options.first_sky == FirstSky::apart)
+    for (std::size_t half = 0; half < 2; ++half) sums.sky[half].resize(sums.halves[half].size());
   const int tiles = sums.grid.count();
   const auto work = [&](int tile) {
     TileSampler sampler(scene, geometry, options, sums, tile);

@@ -4,6 +4,7 @@
 
 #include "renderer/depth/occlusion_test.h"
 #include "renderer/picture/scene_sums.h"
+#include "renderer/transport/path_batch.h"
 #include "renderer/transport/scene_geometry.h"
 
 namespace seamline::renderer {
@@ -15,8 +16,8 @@ struct ScenePassOptions {
   std::uint64_t seed = 1;
   int threads = 1;
   int tail_every = 4;
-  bool filters_sky = false;      ///< a constant sky joins the light that may be filtered
-  bool who_is_in_front = false;  ///< also keep what an occlusion asked of the depth mesh needs
+  FirstSky first_sky = FirstSky::direct;  ///< how a constant sky is kept; apart on the room's surfaces alone
+  bool who_is_in_front = false;           ///< also keep what an occlusion asked of the depth mesh needs
   /// Decides whether the room hides an object, in place of distance; null: nobody does.
   const OcclusionTest* occlusion = nullptr;
   const SeenEmission* seen = nullptr;  ///< in place of what single samples see of small emitters

@@ -62,7 +62,8 @@ class Assembly {
     const TruthPixel& truth;
     const ObjectPixel& own;   ///< in the pixel's own number of samples
     const DepthPixel& depth;  ///< in the depth pass's own number of samples
-    const ObjectMirrored& own_mirrored;
+    const ObjectPart& own_mirrored;
+    const ObjectPart& own_sky;
     const DepthMirrored& depth_mirrored;
     float to_sums = 1;   ///< from the pixel's number of samples to the truth's
     float uncovers = 0;  ///< share of the truth's covered samples that the depth mesh uncovers
@@ -72,7 +73,7 @@ class Assembly {
 
   [[nodiscard]] Pixel gather(int x, int y, std::size_t half) const {
     static const ObjectPixel nothing;
-    static const ObjectMirrored nothing_mirrored;
+    static const ObjectPart no_part;
     const TruthSums& sums = truth_.truth_sums;
     const std::size_t i = sums.index(x, y);
     const auto tile = static_cast<std::size_t>(truth_.scene_sums.grid.square_of(x, y));
@@ -81,8 +82,9 @@ class Assembly {
     Pixel in{.truth = sums.halves[half][i],
              .own = object ? object->halves[half][place] : nothing,
              .depth = depth_.halves[half][i],
-             .own_mirrored = object ? mirrored_at(object->mirrored[half], place) : nothing_mirrored,
-             .depth_mirrored = mirrored_at(depth_.mirrored[half], i)};
+             .own_mirrored = object ? part_at(object->mirrored[half], place) : no_part,
+             .own_sky = object ? part_at(object->sky[half], place) : no_part,
+             .depth_mirrored = part_at(depth_.mirrored[half], i)};
     const auto samples_of_pixel = static_cast<float>(truth_.scene_sums.samples_at(x, y));
     in.to_sums = static_cast<float>(sums.spp) / samples_of_pixel;
     if (order_.empty() || order_[tile][half].empty()) return in;
@@ -145,6 +147,8 @@ class Assembly {
     if (uncovers) {
       without_object += behind * in.own.behind.with(in.own_mirrored.behind);
       with_object += behind * in.own.behind_with.with(in.own_mirrored.behind_with);
+      without_object.direct += behind * in.own_sky.behind;
+      with_object.direct += behind * in.own_sky.behind_with;
       uncovered_surfaces += behind * in.own.behind_surfaces;
       if (const float behind_sky = in.own.covered - in.own.behind_surfaces; behind_sky > 0.0F)
         out.sky += behind * behind_sky * pixel_sky(truth_.scene.light, truth_.scene.camera, x, y);

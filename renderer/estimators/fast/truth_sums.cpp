@@ -7,12 +7,13 @@ namespace seamline::renderer {
 namespace {
 
 const ObjectPixel no_object;
-const ObjectMirrored no_mirrored;
+const ObjectPart no_part;
 
 /// All light of an object's pixel and half.
 struct OwnLight {
   const ObjectPixel& pixel;
-  const ObjectMirrored& mirrored;
+  const ObjectPart& mirrored;
+  const ObjectPart& sky;
   [[nodiscard]] Split object() const { return pixel.object.with(mirrored.object); }
   [[nodiscard]] Split behind() const { return pixel.behind.with(mirrored.behind); }
 };
@@ -21,6 +22,7 @@ struct OwnLight {
 struct PixelOfObject {
   OwnLight own;
   Split without_object, with_object;
+  Rgb sky_without_object = Rgb::Zero(), sky_with_object = Rgb::Zero();  ///< what is kept apart from them
   float uncovered_surfaces;
 
   PixelOfObject(const SceneSums& sums, std::size_t half, std::size_t pixel, const OwnLight& object,
@@ -30,8 +32,11 @@ struct PixelOfObject {
     if (uncovered_surfaces <= 0.0F) return;
     without_object = sums.seen(half, pixel, k);
     with_object = sums.seen(half, pixel, 0);
+    sky_without_object = sums.seen_sky(half, pixel, k);
+    sky_with_object = sums.seen_sky(half, pixel, 0);
     if (object.pixel.covered > 0.0F) {
       without_object -= object.behind();
+      sky_without_object -= object.sky.behind;
       with_object -= object.object();
     }
   }
@@ -58,11 +63,16 @@ class TruthSumsMaker {
     truth_.guides.resize(pixels);
     surfaces_.resize(pixels);
     texels_.resize(pixels);
-    rows([&](int x, int y) { collect_uncovered(x, y); });
+    rows([&](int x, int y) { collect_uncovered(x, y, true); });
     filter_bounce(surfaces_, sums_.grid, options_.filter, options_.threads, texels_);
     rows([&](int x, int y) { write_uncovered(x, y); });
-    std::fill(surfaces_.begin(), surfaces_.end(), Surface{});
-    std::fill(texels_.begin(), texels_.end(), BounceTexel{});
+    if (options_.sky_apart && options_.filter.levels > 0 && !sums_.sky[0].empty()) {
+      start_anew();
+      rows([&](int x, int y) { collect_uncovered(x, y, false); });
+      filter_bounce(surfaces_, sums_.grid, options_.filter, options_.threads, texels_);
+      rows([&](int x, int y) { set_sky_apart(x, y); });
+    }
+    start_anew();
     rows([&](int x, int y) { collect_object(x, y); });
     filter_bounce(surfaces_, sums_.grid, options_.filter, options_.threads, texels_,
                   tiles_of_object(sums_, static_cast<int>(k_)));
@@ -78,6 +88,11 @@ class TruthSumsMaker {
     });
   }
 
+  void start_anew() {
+    std::fill(surfaces_.begin(), surfaces_.end(), Surface{});
+    std::fill(texels_.begin(), texels_.end(), BounceTexel{});
+  }
+
   [[nodiscard]] const ObjectTile* object_tile(int x, int y) const {
     return sums_.objects[k_ - 1][static_cast<std::size_t>(sums_.grid.square_of(x, y))].get();
   }
@@ -86,8 +101,9 @@ class TruthSumsMaker {
     const std::size_t i = sums_.index(x, y);
     const auto place = static_cast<std::size_t>(TileGrid::place(x, y));
     const OwnLight own = tile == nullptr
-                             ? OwnLight{no_object, no_mirrored}
-                             : OwnLight{tile->halves[half][place], mirrored_at(tile->mirrored[half], place)};
+                             ? OwnLight{no_object, no_part, no_part}
+                             : OwnLight{tile->halves[half][place], part_at(tile->mirrored[half], place),
+                                        part_at(tile->sky[half], place)};
     return {sums_, half, i, own, k_};
   }
   /// Scale from a pixel's own number of samples to the truth's.
@@ -95,7 +111,7 @@ class TruthSumsMaker {
     return static_cast<float>(truth_.spp) / static_cast<float>(sums_.samples_at(x, y));
   }
 
-  void collect_uncovered(int x, int y) {
+  void collect_uncovered(int x, int y, bool with_sky) {
     const std::size_t i = sums_.index(x, y);
     float samples = 0;
     for (std::size_t half = 0; half < 2; ++half) samples += sums_.surfaces(half, i, k_);
@@ -107,10 +123,14 @@ class TruthSumsMaker {
       const PixelOfObject pixel = parts(x, y, half);
       const WorldPlace at = sums_.place_of(i, k_);
       const WorldPixel& worlds = sums_.halves[half][at.pixel];
-      texels_[i].without_object(half) = worlds.seen[at.world].bounce / surface.albedo;
+      const Rgb sky = with_sky ? sums_.seen_sky(half, i, k_) : Rgb::Zero();
+      texels_[i].without_object(half) = (worlds.seen[at.world].bounce + sky) / surface.albedo;
       texels_[i].without_samples(half) = worlds.surfaces[at.world];
       if (pixel.uncovered_surfaces <= 0.0F) continue;
-      texels_[i].change(half) = (pixel.with_object.bounce - pixel.without_object.bounce) / surface.albedo;
+      const Rgb change = pixel.with_object.bounce - pixel.without_object.bounce;
+      const Rgb change_of_sky =
+          with_sky ? Rgb(pixel.sky_with_object - pixel.sky_without_object) : Rgb(Rgb::Zero());
+      texels_[i].change(half) = (change + change_of_sky) / surface.albedo;
       texels_[i].change_samples(half) = pixel.uncovered_surfaces;
     }
   }
@@ -133,9 +153,12 @@ class TruthSumsMaker {
         pixel.with_object.bounce =
             pixel.without_object.bounce + mean(texels_[i].change(half), texels_[i].change_samples(half)) *
                                               surfaces_[i].albedo * pixel.uncovered_surfaces;
+      } else {
+        pixel.without_object.direct += pixel.sky_without_object;
+        pixel.with_object.direct += pixel.sky_with_object;
       }
-      const Rgb behind_bounce =
-          options_.filter.levels > 0 ? Rgb(filtered_without * own.behind_surfaces) : own.behind.bounce;
+      const Rgb behind_bounce = options_.filter.levels > 0 ? Rgb(filtered_without * own.behind_surfaces)
+                                                           : Rgb(own.behind.bounce + pixel.own.sky.behind);
       out.without_object = to_sums * pixel.without_object;
       out.with_object = to_sums * pixel.with_object;
       out.sky = to_sums * seen_sky * sky;
@@ -144,6 +167,23 @@ class TruthSumsMaker {
       out.covered = to_sums * own.covered;
       out.uncovered_surfaces = to_sums * pixel.uncovered_surfaces;
     }
+  }
+
+  /// Sorts what was filtered together, by the bounce light that was filtered alone.
+  void set_sky_apart(int x, int y) {
+    const std::size_t i = sums_.index(x, y);
+    for (std::size_t half = 0; half < 2; ++half) {
+      TruthPixel& out = truth_.halves[half][i];
+      const Rgb to_out = surfaces_[i].albedo * out.uncovered_surfaces;
+      const Rgb without = mean(texels_[i].without_object(half), texels_[i].without_samples(half)) * to_out;
+      const Rgb with = without + mean(texels_[i].change(half), texels_[i].change_samples(half)) * to_out;
+      move_to_direct(out.without_object.bounce - without, out.without_object);
+      move_to_direct(out.with_object.bounce - with, out.with_object);
+    }
+  }
+  static void move_to_direct(const Rgb& sky, Split& light) {
+    light.direct += sky;
+    light.bounce -= sky;
   }
 
   void collect_object(int x, int y) {
@@ -169,7 +209,7 @@ class TruthSumsMaker {
       const auto place = static_cast<std::size_t>(TileGrid::place(x, y));
       const ObjectPixel& own = tile->halves[half][place];
       if (own.covered <= 0.0F) continue;
-      Split object = own.object.with(mirrored_at(tile->mirrored[half], place).object);
+      Split object = own.object.with(part_at(tile->mirrored[half], place).object);
       if (options_.filter.levels > 0)
         object.bounce = mean(texels_[i].without_object(half), texels_[i].without_samples(half)) *
                         surfaces_[i].albedo * own.covered;

@@ -9,6 +9,8 @@ namespace seamline::renderer {
 /// How the truth of one object is taken from the sums of a scene.
 struct TruthSumsOptions {
   FilterStrength filter = {};
+  bool sky_apart =
+      false;  ///< bounce light without the sky that is filtered with it, which is direct light then
   int threads = 1;
 };
 
