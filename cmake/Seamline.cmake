@@ -32,6 +32,11 @@ endif()
 # then instead of inlined: 4 % of a render.
 set(seamline_inlining $<$<CXX_COMPILER_ID:GNU>:--param=inline-unit-growth=400> $<$<CXX_COMPILER_ID:GNU>:--param=large-unit-insns=1000000>)
 
+# Folders that wait for files, people and words: with -O3 they would take half as long again to compile, and nobody would feel it.
+function(seamline_waits name)
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O2>)
+endfunction()
+
 # One library a folder. The repository root is the include root, so an include names its folder: "stimuli/set/manifest.h".
 function(seamline_library name)
   # Commands next to one another: the command line's library is 10 s of every compilation that sees it.
