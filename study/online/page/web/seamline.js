@@ -53,9 +53,9 @@ function refuse(study, text) {
 /** Why this device cannot take part, or null. */
 function unfit(study) {
   const words = (name, values) => fillIn(study.texts[name], values);
-  const mobile = navigator.userAgentData?.mobile || /Mobi|Android|iPhone|iPad/.test(navigator.userAgent);
-  if (mobile || (matchMedia("(any-pointer: coarse)").matches && !matchMedia("(any-pointer: fine)").matches))
-    return words("online_touch");
+  const phone = navigator.userAgentData?.mobile || /Mobi|iPhone/.test(navigator.userAgent);
+  const tablet = /Android|iPad/.test(navigator.userAgent) || (matchMedia("(any-pointer: coarse)").matches && !matchMedia("(any-pointer: fine)").matches);
+  if (phone || (tablet && !study.touch)) return words("online_touch");
   if (!canBeExact()) return words("online_browser", { message: "devicePixelContentBox" });
   if (study.clip && !("DecompressionStream" in globalThis)) return words("online_browser", { message: "DecompressionStream" });
   const found = { width: Math.round(screen.width * devicePixelRatio), height: Math.round(screen.height * devicePixelRatio) };
@@ -74,7 +74,9 @@ function readStudy(json) {
   const largest = (side) => Math.max(...sizes.map((size) => size[side]));
   const pair = [json.task, ...(json.tasks ?? [])].find((task) => task?.kind === "pair");
   const width = pair ? 2 * json.width_px + pair.pair_gap_px : largest(0);
-  return { ...json, picture: { width, height: largest(1) } };
+  // Whoever looks round needs a mouse or a headset, and the paper's study a computer.
+  const touch = Boolean(json.task) && !json.looks;
+  return { ...json, touch, picture: { width, height: largest(1) } };
 }
 
 /** What draws views of panoramas, proved by what it draws; null where the study has none. Throws where it cannot. */
