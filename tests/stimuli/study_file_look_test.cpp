@@ -101,6 +101,9 @@ TEST(StudyFileLook, WhatCannotBeIsRefusedByName) {
   EXPECT_THAT(look_complaint("[look]\n", "", ""), HasSubstr("something to look round at"));
   EXPECT_THAT(look_complaint("[look]\n", ""), HasSubstr("twice height_px and a multiple of 64"));
   EXPECT_THAT(look_complaint("[look]\nkind = \"nose\""), HasSubstr("\"fixed\" or \"mouse\" or \"head\""));
+  EXPECT_THAT(look_complaint("[look]\nkind = \"mous\""), HasSubstr("did you mean \"mouse\"?"));
+  EXPECT_THAT(look_complaint("[look]\nkind = \"head\"\nstart_spread_deg = 9"),
+              HasSubstr("look.start_spread_deg: wanted kind = \"mouse\" beside it, found kind = \"head\""));
   EXPECT_THAT(look_complaint("[look]\nyaw_deg = [-90, 90]"), HasSubstr("kind = \"mouse\" beside it"));
   EXPECT_THAT(look_complaint("[look]\nkind = \"mouse\"\nyaw_deg = [10, 90]"), HasSubstr("0 between them"));
   EXPECT_THAT(look_complaint("[look]\nkind = \"mouse\"\npitch_deg = [-10, 10]\nstart_deg = [0, 30]"),

@@ -6,6 +6,7 @@
 
 #include "stimuli/settings/clip_settings.h"
 #include "stimuli/settings/depth_settings.h"
+#include "stimuli/settings/look_settings.h"
 #include "stimuli/settings/mitigation_settings.h"
 #include "stimuli/settings/people/analysis_settings.h"
 #include "stimuli/settings/people/procedure_settings.h"
@@ -192,6 +193,7 @@ std::string table_named(const std::string& name) {
   if (name == "clip") return table_of<ClipDefinition>();
   if (name == "path") return path_table();
   if (name == "animation") return table_of<FileAnimation>();
+  if (name == "look") return table_of<LookDefinition>();
   if (name == "task") return table_of<TaskDefinition>();
   if (name == "staircase") return table_of<StaircaseDefinition>();
   if (name == "quest_plus") return table_of<QuestPlusDefinition>();

@@ -3,7 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
+
+#include "stimuli/settings/look_settings.h"
+#include "stimuli/settings/read_settings.h"
 
 namespace seamline::inline stimuli {
 namespace {
@@ -12,45 +14,7 @@ constexpr const char* head_hint =
     "Turn your head to look round. Put the cross on an object and pull the trigger.";
 constexpr int tile_px = 32;  // of the renderer: whole ones fit around a panorama
 
-LookKind read_look_kind(const TomlTable& table, LookKind usual) {
-  if (!table.has("kind")) return usual;
-  const std::string text = table.text("kind");
-  for (const LookKind kind : {LookKind::fixed, LookKind::mouse, LookKind::head})
-    if (text == word(kind)) return kind;
-  throw table.complaint("kind", "\"fixed\" or \"mouse\" or \"head\"", "\"" + text + "\"");
-}
-
-std::array<double, 2> read_two(const TomlTable& table, const char* key, const char* wanted,
-                               const NumberRange& range) {
-  const std::vector<double> two = table.numbers(key, range);
-  if (two.size() != 2) throw table.complaint(key, wanted, fmt::format("{} numbers", two.size()));
-  return {two[0], two[1]};
-}
-
-std::array<double, 2> read_limits(const TomlTable& table, const char* key, const std::array<double, 2>& usual,
-                                  double most_deg) {
-  if (!table.has(key)) return usual;
-  const std::array<double, 2> two =
-      read_two(table, key, "the least and the largest angle", {-most_deg, most_deg, "degrees"});
-  if (!(two[0] <= 0 && two[1] >= 0))
-    throw table.complaint(key, "the least and the largest angle, with 0 between them",
-                          fmt::format("[{}, {}]", two[0], two[1]));
-  return two;
-}
-
-void refuse_unused(const TomlTable& table, const LookDefinition& look) {
-  const auto refuse = [&](const char* key, const char* wanted) {
-    if (table.has(key)) throw table.complaint(key, wanted, fmt::format("kind = \"{}\"", word(look.kind)));
-  };
-  if (look.kind != LookKind::mouse)
-    for (const char* key : {"yaw_deg", "pitch_deg", "start_spread_deg", "follows_device"})
-      refuse(key, "kind = \"mouse\" beside it");
-  if (look.kind == LookKind::fixed) refuse("hint", "kind = \"mouse\" or \"head\" beside it");
-  if (look.kind == LookKind::head) refuse("horizontal_fov_deg", "nothing: a headset has a field of its own");
-}
-
-void read_comfort(const TomlTable& table, LookDefinition& look) {
-  look.comfort_question = table.text("comfort_question", look.comfort_question);
+void read_comfort_labels(const TomlTable& table, LookDefinition& look) {
   if (!table.has("comfort_labels")) return;
   const std::vector<std::string> labels = table.texts("comfort_labels");
   if (look.comfort_question.empty())
@@ -59,6 +23,15 @@ void read_comfort(const TomlTable& table, LookDefinition& look) {
     throw table.complaint("comfort_labels", "five texts, from none to the most",
                           fmt::format("{}", labels.size()));
   std::copy(labels.begin(), labels.end(), look.comfort_labels.begin());
+}
+
+void check_start(const TomlTable& table, const LookDefinition& look) {
+  if (!look.start_deg || !table.has("start_deg")) return;
+  const auto& [yaw, pitch] = *look.start_deg;
+  if (yaw < look.yaw_deg[0] || yaw > look.yaw_deg[1] || pitch < look.pitch_deg[0] ||
+      pitch > look.pitch_deg[1])
+    throw table.complaint("start_deg", "a direction within yaw_deg and pitch_deg",
+                          fmt::format("[{}, {}]", yaw, pitch));
 }
 
 /// What one condition has beside panoramas that only one perspective view can have.
@@ -131,43 +104,18 @@ std::shared_ptr<const LookDefinition> read_look(const TomlTable& settings,
   const std::optional<TomlTable> table = settings.table("look");
   if (!table) return usual;
   auto look = usual ? std::make_shared<LookDefinition>(*usual) : std::make_shared<LookDefinition>();
-  look->kind = read_look_kind(*table, look->kind);
-  refuse_unused(*table, *look);
-  if (table->has("view_px")) {
-    const std::vector<int> sides = table->integers("view_px", {64, 4096, "px"});
-    if (sides.size() != 2)
-      throw table->complaint("view_px", "width and height of the view, as [960, 540]",
-                             fmt::format("{} numbers", sides.size()));
-    look->view_px = {sides[0], sides[1]};
-  }
-  look->horizontal_fov_deg =
-      table->number("horizontal_fov_deg", look->horizontal_fov_deg, {10, 140, "degrees"});
-  look->yaw_deg = read_limits(*table, "yaw_deg", look->yaw_deg, 180);
-  look->pitch_deg = read_limits(*table, "pitch_deg", look->pitch_deg, 90);
-  look->follows_device = table->boolean("follows_device", look->follows_device);
-  if (table->has("start_deg")) {
-    look->start_deg = read_two(*table, "start_deg", "yaw and pitch, as [30, -5]", {-180, 180, "degrees"});
-    const auto& [yaw, pitch] = *look->start_deg;
-    if (yaw < look->yaw_deg[0] || yaw > look->yaw_deg[1] || pitch < look->pitch_deg[0] ||
-        pitch > look->pitch_deg[1])
-      throw table->complaint("start_deg", "a direction within yaw_deg and pitch_deg",
-                             fmt::format("[{}, {}]", yaw, pitch));
-  }
-  look->start_spread_deg = table->number("start_spread_deg", look->start_spread_deg, {0, 180, "degrees"});
+  read_setting(*table, "kind", *look);
   // What was said for the mouse says nothing to a head.
   const bool other_kind = usual && usual->kind != look->kind;
   if (look->kind == LookKind::head && (!usual || other_kind)) look->hint = head_hint;
   if (look->kind == LookKind::mouse && other_kind) look->hint = LookDefinition{}.hint;
-  look->hint = table->text("hint", look->hint);
-  read_comfort(*table, *look);
+  read_settings(*table, *look);
+  read_comfort_labels(*table, *look);
+  check_start(*table, *look);
   table->finish();
-  if (look->kind != LookKind::mouse) {  // what has no meaning has its default, so that equal means the same
-    look->yaw_deg = LookDefinition{}.yaw_deg;
-    look->pitch_deg = LookDefinition{}.pitch_deg;
-    look->start_spread_deg = 0;
-    look->follows_device = false;
-  }
-  if (look->kind == LookKind::head) look->horizontal_fov_deg = LookDefinition{}.horizontal_fov_deg;
+  const std::string hint = look->hint;  // a fixed view keeps the study's, which it does not show
+  drop_idle(*look);
+  look->hint = hint;
   return look;
 }
 
