@@ -40,7 +40,7 @@ void print_heading(const Benchmark& benchmark) {
              "ratio");
 }
 
-void print_line(const Measurement& m) {
+void print_line(const BenchLine& m) {
   const auto number = [](std::optional<double> value) { return value ? fmt::format("{:.4g}", *value) : ""; };
   const std::optional<bool> met = is_met(m);
   fmt::print("  {:64}  {:12}  {:>9}  {:>9}  {:>7}  {}{}\n", m.what, m.unit, number(m.found), number(m.beside),
@@ -48,7 +48,7 @@ void print_line(const Measurement& m) {
   std::fflush(stdout);
 }
 
-nlohmann::ordered_json json_of(std::string_view benchmark, const Measurement& m) {
+nlohmann::ordered_json json_of(std::string_view benchmark, const BenchLine& m) {
   nlohmann::ordered_json json = {
       {"benchmark", benchmark}, {"measurement", m.what}, {"unit", m.unit}, {"found", m.found}};
   json["beside"] = m.beside ? nlohmann::ordered_json(*m.beside) : nlohmann::ordered_json();
@@ -72,7 +72,7 @@ CsvTable table_of_measurements() {
           .rows = {}};
 }
 
-std::vector<CsvValue> row_of(const Measurement& m) {
+std::vector<CsvValue> row_of(const BenchLine& m) {
   const auto cell = [](std::optional<double> value) { return value ? CsvValue(*value) : CsvValue(); };
   return {m.what, m.unit, m.found, cell(m.beside), cell(m.ratio), wanted_text(m.wanted)};
 }
@@ -87,7 +87,7 @@ void run_bench(const CommandLine& line) {
   for (const Benchmark& benchmark : benchmarks()) {
     if (!line.only.empty() && line.only != benchmark.name) continue;
     if (!line.json) print_heading(benchmark);
-    for (const Measurement& measurement : benchmark.run(line.options)) {
+    for (const BenchLine& measurement : benchmark.run(line.options)) {
       table.rows.push_back(row_of(measurement));
       if (line.json)
         measurements.push_back(json_of(benchmark.name, measurement));

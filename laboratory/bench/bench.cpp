@@ -4,7 +4,7 @@
 
 namespace seamline::renderer {
 
-std::optional<bool> is_met(const Measurement& measurement) {
+std::optional<bool> is_met(const BenchLine& measurement) {
   const double value = measurement.ratio.value_or(measurement.found);
   switch (measurement.wanted.kind) {
     case Wanted::Kind::nothing:

@@ -15,7 +15,7 @@ struct Wanted {
 };
 
 /// One line of `seamline lab bench`.
-struct Measurement {
+struct BenchLine {
   std::string what;                   ///< e.g. "bedroom, bounce rays"
   std::string unit;                   ///< of `found` and `beside`, e.g. "Mrays/s"
   double found = 0;                   ///< Seamline's
@@ -25,7 +25,7 @@ struct Measurement {
 };
 
 /// Whether the measurement is what was wanted; none when nothing was.
-[[nodiscard]] std::optional<bool> is_met(const Measurement& measurement);
+[[nodiscard]] std::optional<bool> is_met(const BenchLine& measurement);
 
 struct BenchOptions {
   bool quick = false;  ///< smaller maps and pictures, fewer repeats: whether it runs, not how fast
@@ -36,17 +36,17 @@ struct BenchOptions {
 struct Benchmark {
   std::string_view name;     ///< as `--only` takes it
   std::string_view explain;  ///< one sentence: what is measured against what
-  std::function<std::vector<Measurement>(const BenchOptions&)> run;
+  std::function<std::vector<BenchLine>(const BenchOptions&)> run;
 };
 
 /// All of them, in the order they are run in.
 [[nodiscard]] std::span<const Benchmark> benchmarks();
 
-[[nodiscard]] std::vector<Measurement> bench_capture(const BenchOptions& options);
-[[nodiscard]] std::vector<Measurement> bench_tracer(const BenchOptions& options);
-[[nodiscard]] std::vector<Measurement> bench_local_scene(const BenchOptions& options);
-[[nodiscard]] std::vector<Measurement> bench_mesh(const BenchOptions& options);
-[[nodiscard]] std::vector<Measurement> bench_picture(const BenchOptions& options);
-[[nodiscard]] std::vector<Measurement> bench_set(const BenchOptions& options);
+[[nodiscard]] std::vector<BenchLine> bench_capture(const BenchOptions& options);
+[[nodiscard]] std::vector<BenchLine> bench_tracer(const BenchOptions& options);
+[[nodiscard]] std::vector<BenchLine> bench_local_scene(const BenchOptions& options);
+[[nodiscard]] std::vector<BenchLine> bench_mesh(const BenchOptions& options);
+[[nodiscard]] std::vector<BenchLine> bench_picture(const BenchOptions& options);
+[[nodiscard]] std::vector<BenchLine> bench_set(const BenchOptions& options);
 
 }  // namespace seamline::renderer

@@ -63,14 +63,14 @@ struct Subject {
   Artifact artifact;
 };
 
-std::vector<Measurement> measure_builds(const std::string& name, const Built& adaptive, const Built& full,
-                                        Wanted build_s, Wanted memory_mb) {
+std::vector<BenchLine> measure_builds(const std::string& name, const Built& adaptive, const Built& full,
+                                      Wanted build_s, Wanted memory_mb) {
   const auto beside = [&](const char* what, const char* unit, double found, double other, Wanted wanted) {
-    std::vector<Measurement> lines = {{.what = fmt::format("{}, {}", name, what),
-                                       .unit = unit,
-                                       .found = found,
-                                       .beside = other,
-                                       .ratio = found / other}};
+    std::vector<BenchLine> lines = {{.what = fmt::format("{}, {}", name, what),
+                                     .unit = unit,
+                                     .found = found,
+                                     .beside = other,
+                                     .ratio = found / other}};
     // A bound on the thing itself, not on the ratio, is a line of its own.
     if (wanted.kind != Wanted::Kind::nothing)
       lines.push_back({.what = fmt::format("{}, {}, adaptive", name, what),
@@ -81,7 +81,7 @@ std::vector<Measurement> measure_builds(const std::string& name, const Built& ad
                        .wanted = wanted});
     return lines;
   };
-  std::vector<Measurement> all;
+  std::vector<BenchLine> all;
   for (const auto& lines : {beside("triangles", "millions", 1e-6 * static_cast<double>(adaptive.triangles),
                                    1e-6 * static_cast<double>(full.triangles), {}),
                             beside("mesh build", "s", adaptive.mesh_s, full.mesh_s, build_s),
@@ -91,8 +91,8 @@ std::vector<Measurement> measure_builds(const std::string& name, const Built& ad
   return all;
 }
 
-Measurement measure_rays(const std::string& name, const TruthScene& scene, const Geometry& adaptive,
-                         const Geometry& full, bool quick) {
+BenchLine measure_rays(const std::string& name, const TruthScene& scene, const Geometry& adaptive,
+                       const Geometry& full, bool quick) {
   const RecordedRays rays = record_rays(scene, adaptive, quick ? 30 : 16);
   const auto trace = [&](const Geometry& geometry) {
     std::optional<SurfacePoint> hit;
@@ -110,10 +110,9 @@ Measurement measure_rays(const std::string& name, const TruthScene& scene, const
 }
 
 /// The same samples on both meshes.
-std::vector<Measurement> measure_picture(const std::string& name, const Subject& subject,
-                                         const TruthScene& scene,
-                                         const std::array<const Geometry*, 2>& depths,
-                                         const BenchOptions& options) {
+std::vector<BenchLine> measure_picture(const std::string& name, const Subject& subject,
+                                       const TruthScene& scene, const std::array<const Geometry*, 2>& depths,
+                                       const BenchOptions& options) {
   const ObjectGeometry geometry = object_geometry(scene, 2);
   // As many samples as a study has: of four, one that falls on the other side of a shadow's edge would be a
   // quarter of the pixel.
@@ -128,12 +127,12 @@ std::vector<Measurement> measure_picture(const std::string& name, const Subject&
                                 scene.definition.exposure_ev);
   const PictureChange found = change(pictures[0], pictures[1]);
   const auto line = [&](const char* what, const char* unit, double value, double most) {
-    return Measurement{.what = fmt::format("{}, {}: {}", name, word(subject.artifact), what),
-                       .unit = unit,
-                       .found = value,
-                       .beside = {},
-                       .ratio = {},
-                       .wanted = {Wanted::Kind::at_most, most}};
+    return BenchLine{.what = fmt::format("{}, {}: {}", name, word(subject.artifact), what),
+                     .unit = unit,
+                     .found = value,
+                     .beside = {},
+                     .ratio = {},
+                     .wanted = {Wanted::Kind::at_most, most}};
   };
   return {line("pixels changed by more than one step", "of 1", found.share_beyond_one, 0.001),
           line("largest change", "steps of 255", found.largest, 8)};
@@ -141,8 +140,8 @@ std::vector<Measurement> measure_picture(const std::string& name, const Subject&
 
 }  // namespace
 
-std::vector<Measurement> bench_mesh(const BenchOptions& options) {
-  std::vector<Measurement> all;
+std::vector<BenchLine> bench_mesh(const BenchOptions& options) {
+  std::vector<BenchLine> all;
   const int width_px = options.quick ? 512 : 4096;
   const int picture_px = options.quick ? 240 : 960;
   for (const Subject& subject :
@@ -153,7 +152,7 @@ std::vector<Measurement> bench_mesh(const BenchOptions& options) {
     const DepthMap map = capture_depth(truth, width_px, 0, options.threads);
     const Built adaptive = build(map, MeshDensity::adaptive, options.threads);
     const Built full = build(map, MeshDensity::full, options.threads);
-    const auto append = [&](const std::vector<Measurement>& some) {
+    const auto append = [&](const std::vector<BenchLine>& some) {
       all.insert(all.end(), some.begin(), some.end());
     };
     append(measure_builds(name, adaptive, full, {Wanted::Kind::at_most, 0.5}, {Wanted::Kind::at_most, 40}));

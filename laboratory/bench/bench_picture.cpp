@@ -169,7 +169,7 @@ Reached reach_path(const ConvergenceSubject& subject, const Geometry& depth, con
 
 }  // namespace
 
-std::vector<Measurement> bench_picture(const BenchOptions& options) {
+std::vector<BenchLine> bench_picture(const BenchOptions& options) {
   ConvergenceRequest request{.only = "*-all-creature-0512", .threads = options.threads};
   if (options.quick) {
     request.width_px = 192;

@@ -22,7 +22,7 @@ double peak_memory_mb() {
 
 }  // namespace
 
-std::vector<Measurement> bench_set(const BenchOptions& options) {
+std::vector<BenchLine> bench_set(const BenchOptions& options) {
   StudyDefinition study = read_study(builtin_study("depth_resolution_isolated"));
   RenderRequest request{.set_folder = {}, .threads = options.threads, .error = asked_error};
   if (options.quick) {
@@ -36,11 +36,11 @@ std::vector<Measurement> bench_set(const BenchOptions& options) {
   const RenderSummary summary = render_set(study, request);
   const SetErrors errors = read_set_errors(folder.path());
   const auto part = [](const char* what, double seconds) {
-    return Measurement{.what = what, .unit = "s", .found = seconds};
+    return BenchLine{.what = what, .unit = "s", .found = seconds};
   };
-  Measurement whole = part("", summary.seconds);
+  BenchLine whole = part("", summary.seconds);
   whole.what = fmt::format("the whole set: {} stimuli at {:g}", summary.rendered, *request.error);
-  Measurement memory{.what = "peak memory of this process", .unit = "MB", .found = peak_memory_mb()};
+  BenchLine memory{.what = "peak memory of this process", .unit = "MB", .found = peak_memory_mb()};
   if (!options.quick) {
     whole.wanted = {Wanted::Kind::at_most, 300};
     memory.wanted = {Wanted::Kind::at_most, 1000};

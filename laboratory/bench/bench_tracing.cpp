@@ -80,9 +80,9 @@ constexpr std::array<BareLoop, 7> every_loop = {{{1, Coherence::scattered},
                                                  {16, Coherence::scattered}}};
 
 /// Seamline's work beside the fastest of some bare loops on the same rays.
-Measurement beside_best_loop(const std::string& what, std::span<const Ray> rays, const BareScene& bare,
-                             bool nearest, const std::function<void()>& ours, int repeats,
-                             std::span<const BareLoop> loops = every_loop) {
+BenchLine beside_best_loop(const std::string& what, std::span<const Ray> rays, const BareScene& bare,
+                           bool nearest, const std::function<void()>& ours, int repeats,
+                           std::span<const BareLoop> loops = every_loop) {
   std::vector<float> distance_m(rays.size());
   std::vector<std::function<void()>> works = {ours};
   for (const BareLoop& loop : loops)
@@ -121,8 +121,8 @@ std::vector<Ray> panorama_rays(int width_px) {
 
 }  // namespace
 
-std::vector<Measurement> bench_capture(const BenchOptions& options) {
-  std::vector<Measurement> measurements;
+std::vector<BenchLine> bench_capture(const BenchOptions& options) {
+  std::vector<BenchLine> measurements;
   for (const char* name : {"bedroom", "gazebo"}) {
     const LoadedScene loaded = load(name);
     const BareScene bare(loaded.geometry.truth.meshes(), Edges::tight);
@@ -135,8 +135,8 @@ std::vector<Measurement> bench_capture(const BenchOptions& options) {
   return measurements;
 }
 
-std::vector<Measurement> bench_tracer(const BenchOptions& options) {
-  std::vector<Measurement> measurements;
+std::vector<BenchLine> bench_tracer(const BenchOptions& options) {
+  std::vector<BenchLine> measurements;
   for (const char* name : {"bedroom", "gazebo"}) {
     const LoadedScene loaded = load(name);
     const Geometry truth(loaded.geometry.truth.meshes(), Edges::loose);  // as the joint pass asks
@@ -167,8 +167,8 @@ std::vector<Measurement> bench_tracer(const BenchOptions& options) {
   return measurements;
 }
 
-std::vector<Measurement> bench_local_scene(const BenchOptions& options) {
-  std::vector<Measurement> measurements;
+std::vector<BenchLine> bench_local_scene(const BenchOptions& options) {
+  std::vector<BenchLine> measurements;
   const std::vector<int> widths_px = options.quick ? std::vector{64} : std::vector{64, 512, 4096};
   for (const char* name : {"bedroom", "gazebo"}) {
     const LoadedScene loaded = load(name);

@@ -57,7 +57,7 @@ PlotPanel sample_panel(const SampleResult& result, const FigureText& text, bool 
   for (std::size_t i = 0; i < result.meanings.size(); ++i) {
     const std::string& series = result.meanings[i].first;
     PlotLine line{.title = with_slope(series, text, series, of), .style = i};
-    for (const SampleRow& row : result.rows)
+    for (const SeriesRow& row : result.rows)
       if (row.series == series) line.points.emplace_back(row.seconds, given ? row.rmse_given : row.rmse);
     panel.lines.push_back(std::move(line));
   }

@@ -59,23 +59,23 @@ double noise_given(const Reference& reference, double exposure_ev) {
   return 0.5 * display_rmse(half(0), half(1), exposure_ev, &reference.off_object);
 }
 
-SampleRow measure(const ConvergenceSubject& subject, const Series& series, int spp,
+SeriesRow measure(const ConvergenceSubject& subject, const Series& series, int spp,
                   const Reference& reference) {
-  const Trial trial = series.render(spp);
+  const TimedRender render = series.render(spp);
   const Stopwatch watch;
-  const Image picture = compose(trial.sums).picture;
-  const double seconds = trial.seconds + watch.seconds();
-  const Image given = compose(onto_given_background(trial.sums, reference.run.sums)).picture;
+  const Image picture = compose(render.sums).picture;
+  const double seconds = render.seconds + watch.seconds();
+  const Image given = compose(onto_given_background(render.sums, reference.run.sums)).picture;
   return {.series = series.name,
           .spp = spp,
           .seconds = seconds,
-          .rays = trial.rays,
+          .rays = render.rays,
           .rmse = display_rmse(picture, reference.picture, subject.exposure_ev()),
           .rmse_given = display_rmse(given, reference.picture, subject.exposure_ev(), &reference.off_object)};
 }
 
 /// A whole scene's joint pass is counted, although the other two objects' stimuli would share it in a set.
-Trial render_fast(const ConvergenceSubject& subject, const Geometry& depth, int spp) {
+TimedRender render_fast(const ConvergenceSubject& subject, const Geometry& depth, int spp) {
   const Stopwatch watch;
   const std::unique_ptr<SceneEstimator> estimator =
       make_estimator(Estimator::fast, subject.scene,
@@ -84,15 +84,15 @@ Trial render_fast(const ConvergenceSubject& subject, const Geometry& depth, int 
                       .threads = subject.threads,
                       .who_is_in_front = subject.recipe.answers.occlusion == Who::depth});
   estimator->take_object(subject.stimulus.object_index, {});
-  Trial trial{.sums = estimator->stimulus(subject.recipe, &depth, {}).sums};
-  trial.seconds = watch.seconds();
-  trial.rays = estimator->truth().rays + trial.sums.rays;
-  return trial;
+  TimedRender render{.sums = estimator->stimulus(subject.recipe, &depth, {}).sums};
+  render.seconds = watch.seconds();
+  render.rays = estimator->truth().rays + render.sums.rays;
+  return render;
 }
 
 /// Whether a rendering with twice the samples would take longer than the budget of one.
-bool is_finished(const std::vector<SampleRow>& rows, const Series& series, double longest_s) {
-  const auto of_series = [&](const SampleRow& row) { return row.series == series.name; };
+bool is_finished(const std::vector<SeriesRow>& rows, const Series& series, double longest_s) {
+  const auto of_series = [&](const SeriesRow& row) { return row.series == series.name; };
   const auto last = std::find_if(rows.rbegin(), rows.rend(), of_series);
   return std::count_if(rows.begin(), rows.end(), of_series) >= fewest_trials &&
          2 * last->seconds > 1.1 * longest_s;
@@ -105,21 +105,21 @@ std::vector<Series> sample_series(const ConvergenceSubject& subject, const Geome
   return {
       {.name = "path coupled",
        .meaning = "with and without the object are one computation on shared paths",
-       .render = [&runs, seed](int spp) -> Trial {
+       .render = [&runs, seed](int spp) -> TimedRender {
          const PathRun& run = runs.coupled(spp, seed);
          return {run.sums, run.seconds(), run.rays};
        }},
       {.name = "path same-seed",
        .meaning = "two renderings, with and without the object, that share their sample points: the same "
                   "picture as path coupled at the cost of both",
-       .render = [&runs, seed](int spp) -> Trial {
+       .render = [&runs, seed](int spp) -> TimedRender {
          const PathRun& with = runs.coupled(spp, seed);
          const PathRun& without = runs.without(spp, seed);
          return {with.sums, with.seconds() + without.seconds(), with.rays + without.rays};
        }},
       {.name = "path independent",
        .meaning = "two renderings with different seeds",
-       .render = [&runs, seed, other_seed](int spp) -> Trial {
+       .render = [&runs, seed, other_seed](int spp) -> TimedRender {
          // The layers without the object come from a run that knows its coverage; the price is that of
          // one that does not know the object.
          const StimulusSums& sums_without = runs.coupled(spp, seed).sums;

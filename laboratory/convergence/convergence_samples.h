@@ -9,7 +9,7 @@
 namespace seamline::renderer {
 
 /// The stimulus as one estimator renders it at a number of samples a pixel, and what that cost.
-struct Trial {
+struct TimedRender {
   StimulusSums sums;
   double seconds = 0;
   std::int64_t rays = 0;
@@ -19,7 +19,7 @@ struct Trial {
 struct Series {
   std::string name;
   std::string meaning;  ///< one sentence for the table
-  std::function<Trial(int spp)> render;
+  std::function<TimedRender(int spp)> render;
   int fewest_spp = 1;
 };
 
@@ -27,7 +27,7 @@ struct Series {
 [[nodiscard]] std::vector<Series> sample_series(const ConvergenceSubject& subject, const Geometry& depth,
                                                 PathRuns& runs);
 
-struct SampleRow {
+struct SeriesRow {
   std::string series;
   int spp = 0;
   double seconds = 0;  ///< passes and compositing
@@ -37,7 +37,7 @@ struct SampleRow {
 };
 
 struct SampleResult {
-  std::vector<SampleRow> rows;
+  std::vector<SeriesRow> rows;
   std::vector<std::pair<std::string, std::string>> meanings;  ///< of each series, in order
   int reference_spp = 0;
   double reference_seconds = 0;

@@ -47,10 +47,10 @@ PartTables tables_of(const SampleResult& result) {
                            .rows = {}},
                  .slopes = {},
                  .remarks = {}};
-  for (const SampleRow& row : result.rows)
+  for (const SeriesRow& row : result.rows)
     out.table.rows.push_back(
         {row.series, std::int64_t{row.spp}, row.seconds, mega(row.rays), row.rmse, row.rmse_given});
-  using Row = SampleRow;
+  using Row = SeriesRow;
   const auto add = [&](const std::string& series, bool given, bool in_seconds, const std::string& why) {
     const auto error = [given](const Row& row) { return given ? row.rmse_given : row.rmse; };
     const double noise = given ? result.reference_noise_given : result.reference_noise;
