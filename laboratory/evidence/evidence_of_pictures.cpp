@@ -221,9 +221,10 @@ EvidencePage real_time_page() {
            .from = {{"", "methods/realtime.csv"}},
            .heading = "method",
            .row_of = {"method"},
-           .columns = {{.heading = "settings", .of = "", .shows = Summary::rows},
-                       {.heading = "error", .of = "error", .shows = Summary::range, .decimals = 4},
-                       {.heading = "frame, s", .of = "frame_s", .shows = Summary::range, .decimals = 2}}}}};
+           .columns = {
+               {.heading = "settings", .of = "", .shows = Summary::rows},
+               {.heading = "error", .of = "rmse", .shows = Summary::range, .decimals = 4},
+               {.heading = "frame, s", .of = "frame_seconds", .shows = Summary::range, .decimals = 2}}}}};
   for (const LiveWay& way : live_ways) {
     const EvidenceStep step = live_step(way, "100 --size 800x600");
     page.steps.push_back(step);

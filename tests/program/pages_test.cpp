@@ -321,5 +321,36 @@ TEST(Documentation, EveryFileOfTheRepositoryThatIsNamedIsThere) {
   EXPECT_GE(read, 50);
 }
 
+/// Every picture of the manual: it is shown on a page, and a command of documentation/pictures/README.md
+/// makes it.
+TEST(Documentation, EveryPictureHasACommandAndAPage) {
+  const fs::path folder = repository() / "documentation/pictures";
+  std::string shown;
+  for (const auto& [name, page] : pages()) shown += page.prose;
+  std::map<std::string, std::string> commands;
+  const std::regex row(R"(\| `([^`]+)` \| `([^`]+)` \|)");
+  const std::string list = test::read_text(folder / "README.md");
+  for (auto it = std::sregex_iterator(list.begin(), list.end(), row); it != std::sregex_iterator(); ++it)
+    EXPECT_TRUE(commands.emplace((*it)[1], (*it)[2]).second) << it->str() << " stands there twice";
+  std::size_t pictures = 0;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const fs::path file = entry.path();
+    if (file.extension() != ".png" && file.extension() != ".svg") continue;
+    ++pictures;
+    EXPECT_THAT(shown, testing::HasSubstr("pictures/" + file.filename().string())) << "on no page";
+    const std::string command = commands[file.filename().string()];
+    ASSERT_NE(command, "") << file.filename() << " has no command";
+    const std::string script = command.substr(0, command.find(' '));
+    const fs::path program = script.find('/') == std::string::npos ? folder / script : repository() / script;
+    ASSERT_TRUE(fs::is_regular_file(program)) << command;
+    EXPECT_NE(fs::status(program).permissions() & fs::perms::owner_exec, fs::perms::none) << program;
+    // A script that takes names lists this one.
+    if (command.find(' ') != std::string::npos && script.find('/') == std::string::npos) {
+      EXPECT_THAT(" " + test::read_text(program) + " ", testing::HasSubstr(" " + file.stem().string() + " "));
+    }
+  }
+  EXPECT_EQ(commands.size(), pictures) << "a picture of the list is not there";
+}
+
 }  // namespace
 }  // namespace seamline
