@@ -47,7 +47,7 @@ LiveFrame& LivePipeline::compose(const LoadedFrame& frame, const Eigen::Isometry
   for (std::size_t i = 0; i < frame_.eyes.size(); ++i) {
     draw_eye(i, frame.colour, pose, methods);
     {
-      const StageTimer timer(frame_.times, Stage::object);
+      const StageTimer timer(frame_.times, FrameStage::object);
       draw_objects({.scene = scene_,
                     .shadows = shadows,
                     .occlusion = methods.occlusion,
@@ -55,7 +55,7 @@ LiveFrame& LivePipeline::compose(const LoadedFrame& frame, const Eigen::Isometry
                     .threads = settings_.threads},
                    frame_.eyes[i]);
     }
-    const StageTimer timer(frame_.times, Stage::shadow);
+    const StageTimer timer(frame_.times, FrameStage::shadow);
     darken_shadows({.scene = scene_,
                     .shadows = shadows,
                     .surface_reach_px = settings_.surface_reach_px,
@@ -68,12 +68,12 @@ LiveFrame& LivePipeline::compose(const LoadedFrame& frame, const Eigen::Isometry
 void LivePipeline::map_depth(const LoadedFrame& frame, const Eigen::Isometry3d& pose,
                              const Methods& methods) {
   {
-    const StageTimer timer(frame_.times, Stage::local_scene);
+    const StageTimer timer(frame_.times, FrameStage::local_scene);
     local_mesh_.build(points_, frame.depth.depth_m, pose, settings_.threads);
     frame_.triangles = local_mesh_.mesh().triangles.size();
   }
   {
-    const StageTimer timer(frame_.times, Stage::mapping);
+    const StageTimer timer(frame_.times, FrameStage::mapping);
     if (methods.mapping == Mapping::points) {
       register_points_(points_, frame.depth.depth_m, settings_.threads, frame_.registered);
     } else {
@@ -84,7 +84,7 @@ void LivePipeline::map_depth(const LoadedFrame& frame, const Eigen::Isometry3d& 
   }
   tree_.reset();
   if (!needs_tree(methods)) return;
-  const StageTimer timer(frame_.times, Stage::tree);
+  const StageTimer timer(frame_.times, FrameStage::tree);
   tree_.emplace(local_mesh_.mesh(), Rgb::Constant(0.5F), renderer::TreeQuality::for_few_rays,
                 renderer::CentreRays::by_tree);
 }
@@ -99,7 +99,7 @@ ShadowAnswers LivePipeline::shadow_answers(const Methods& methods) {
       .objects = &scene_,
       .real_geometry = tree_ ? &*tree_ : nullptr};
   if (!uses_maps(methods.shadows)) return shadows;
-  const StageTimer timer(frame_.times, Stage::maps);
+  const StageTimer timer(frame_.times, FrameStage::maps);
   draw_maps(scene_, local_mesh_.span(), settings_.shadow_map_px, settings_.threads, shadows);
   return shadows;
 }
@@ -115,7 +115,7 @@ void LivePipeline::draw_eye(std::size_t index, const ByteImage& colour, const Ei
   const std::array<TriangleSpan, 1> meshes = {local_mesh_.span()};
   const bool is_mesh_drawn = right_m != 0 || methods.mapping == Mapping::mesh;
   {
-    const StageTimer timer(frame_.times, Stage::views);
+    const StageTimer timer(frame_.times, FrameStage::views);
     if (right_m == 0) {
       eye.codes.values = colour.values;
       eye.real.depth_m = frame_.registered.depth_m;
@@ -125,7 +125,7 @@ void LivePipeline::draw_eye(std::size_t index, const ByteImage& colour, const Ei
     }
   }
   if (methods.occlusion != Occlusion::ghosts) return;
-  const StageTimer timer(frame_.times, Stage::object);
+  const StageTimer timer(frame_.times, FrameStage::object);
   if (is_mesh_drawn)
     eye.ghosts.depth_m = eye.real.depth_m;
   else

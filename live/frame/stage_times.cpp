@@ -4,27 +4,27 @@
 
 namespace seamline::live {
 
-std::string_view word(Stage stage) {
+std::string_view word(FrameStage stage) {
   switch (stage) {
-    case Stage::tracking:
+    case FrameStage::tracking:
       return "tracking";
-    case Stage::physics:
+    case FrameStage::physics:
       return "physics";
-    case Stage::local_scene:
+    case FrameStage::local_scene:
       return "local_scene";
-    case Stage::mapping:
+    case FrameStage::mapping:
       return "mapping";
-    case Stage::tree:
+    case FrameStage::tree:
       return "tree";
-    case Stage::maps:
+    case FrameStage::maps:
       return "maps";
-    case Stage::views:
+    case FrameStage::views:
       return "views";
-    case Stage::object:
+    case FrameStage::object:
       return "object";
-    case Stage::shadow:
+    case FrameStage::shadow:
       return "shadow";
-    case Stage::show:
+    case FrameStage::show:
       return "show";
   }
   return {};

@@ -6,7 +6,7 @@
 namespace seamline::live {
 
 /// What a frame's time goes into, in the order in which it is done.
-enum class Stage {
+enum class FrameStage {
   tracking,     ///< where the camera stands, where the recording does not say it
   physics,      ///< virtual things fall (only where that is asked for)
   local_scene,  ///< the mesh of the depth pixels
@@ -20,21 +20,21 @@ enum class Stage {
 };
 inline constexpr std::size_t stage_count = 10;
 
-[[nodiscard]] std::string_view word(Stage stage);
+[[nodiscard]] std::string_view word(FrameStage stage);
 
 /// Milliseconds of each stage of a frame.
 struct StageTimes {
   std::array<double, stage_count> ms{};
 
-  [[nodiscard]] double of(Stage stage) const { return ms[static_cast<std::size_t>(stage)]; }
-  void add(Stage stage, double more_ms) { ms[static_cast<std::size_t>(stage)] += more_ms; }
+  [[nodiscard]] double of(FrameStage stage) const { return ms[static_cast<std::size_t>(stage)]; }
+  void add(FrameStage stage, double more_ms) { ms[static_cast<std::size_t>(stage)] += more_ms; }
   [[nodiscard]] double total_ms() const;
 };
 
 /// Adds the time until it ends to a stage.
 class StageTimer {
  public:
-  StageTimer(StageTimes& times, Stage stage) : times_(times), stage_(stage) {}
+  StageTimer(StageTimes& times, FrameStage stage) : times_(times), stage_(stage) {}
   ~StageTimer() {
     times_.add(stage_, std::chrono::duration<double, std::milli>(Clock::now() - begun_).count());
   }
@@ -44,7 +44,7 @@ class StageTimer {
  private:
   using Clock = std::chrono::steady_clock;
   StageTimes& times_;
-  Stage stage_;
+  FrameStage stage_;
   Clock::time_point begun_ = Clock::now();
 };
 

@@ -85,11 +85,11 @@ LiveSession::Step LiveSession::next(const Methods& methods) {
   current_ = next_;
   next_ = (next_ + 1) % recording_.frames.size();
   {
-    const StageTimer timer(times, Stage::tracking);
+    const StageTimer timer(times, FrameStage::tracking);
     pose_ = tracker_->track(current_);
   }
   if (bodies_ != nullptr) {
-    const StageTimer timer(times, Stage::physics);
+    const StageTimer timer(times, FrameStage::physics);
     let_fall();
   }
   has_shown_ = true;
@@ -115,7 +115,8 @@ LiveSession::Step LiveSession::again(const Methods& methods) {
 
 LiveSession::Step LiveSession::compose(const Methods& methods, StageTimes before) {
   LiveFrame& frame = pipeline_->compose(recording_.frames[current_], pose_.world_from_colour, methods);
-  for (const Stage stage : {Stage::tracking, Stage::physics}) frame.times.add(stage, before.of(stage));
+  for (const FrameStage stage : {FrameStage::tracking, FrameStage::physics})
+    frame.times.add(stage, before.of(stage));
   return {current_, frame, pose_};
 }
 

@@ -7,10 +7,11 @@
 namespace seamline::live {
 namespace {
 
-std::vector<Stage> listed_stages(bool has_physics) {
-  std::vector<Stage> stages;
+std::vector<FrameStage> listed_stages(bool has_physics) {
+  std::vector<FrameStage> stages;
   for (std::size_t i = 0; i < stage_count; ++i)
-    if (has_physics || static_cast<Stage>(i) != Stage::physics) stages.push_back(static_cast<Stage>(i));
+    if (has_physics || static_cast<FrameStage>(i) != FrameStage::physics)
+      stages.push_back(static_cast<FrameStage>(i));
   return stages;
 }
 
@@ -31,8 +32,8 @@ CsvTable times_table(const std::vector<TimedFrame>& frames, bool has_physics) {
                              {"shadows_by", "", "how light is kept away"},
                              {"tracked", "", "1: the camera's pose was found in this frame"}},
                  .rows = {}};
-  const std::vector<Stage> stages = listed_stages(has_physics);
-  for (const Stage stage : stages)
+  const std::vector<FrameStage> stages = listed_stages(has_physics);
+  for (const FrameStage stage : stages)
     table.columns.push_back({std::string(word(stage)) + "_ms", "ms", "of this stage"});
   table.columns.push_back({"total_ms", "ms", "of all stages"});
   for (const TimedFrame& frame : frames) {
@@ -40,7 +41,7 @@ CsvTable times_table(const std::vector<TimedFrame>& frames, bool has_physics) {
         static_cast<std::int64_t>(frame.frame_index), frame.time_s,
         std::string(word(frame.methods.mapping)),     std::string(word(frame.methods.occlusion)),
         std::string(word(frame.methods.shadows)),     std::int64_t{frame.is_tracked ? 1 : 0}};
-    for (const Stage stage : stages) row.emplace_back(frame.times.of(stage));
+    for (const FrameStage stage : stages) row.emplace_back(frame.times.of(stage));
     row.emplace_back(frame.times.total_ms());
     table.rows.push_back(std::move(row));
   }
@@ -58,7 +59,7 @@ std::string times_text(const std::vector<TimedFrame>& frames) {
     for (const TimedFrame& frame : frames) stage_ms.push_back(frame.times.ms[i]);
     const double ms = median_of(stage_ms);
     if (ms > 0)
-      text += fmt::format("  {:<12}{:>8.2f} ms  {:5.1f} %\n", word(static_cast<Stage>(i)), ms,
+      text += fmt::format("  {:<12}{:>8.2f} ms  {:5.1f} %\n", word(static_cast<FrameStage>(i)), ms,
                           100 * ms / total_ms);
   }
   return text + fmt::format("  {:<12}{:>8.2f} ms  {:.1f} frames a second (medians of {} frames)\n", "total",

@@ -92,7 +92,7 @@ class LiveWindow {
     const LiveSession::Step step = moves_on ? session_.next(methods_) : session_.again(methods_);
     steps_ = redraws_ = false;
     {
-      const StageTimer timer(step.frame.times, Stage::show);
+      const StageTimer timer(step.frame.times, FrameStage::show);
       draw(step);
       window_.clear(look::background);
       canvas_.end();
@@ -183,7 +183,8 @@ class LiveWindow {
       for (const TimedFrame& frame : recent_) ms += frame.times.ms[i] / static_cast<double>(recent_.size());
       total_ms += ms;
       if (ms > 0)
-        line(panel, y_px, std::string(word(static_cast<Stage>(i))), fmt::format("{:.1f} ms", ms), Font::body);
+        line(panel, y_px, std::string(word(static_cast<FrameStage>(i))), fmt::format("{:.1f} ms", ms),
+             Font::body);
     }
     line(panel, y_px, "sum", fmt::format("{:.1f} ms, {:.0f} a second", total_ms, 1000 / total_ms),
          Font::body);
