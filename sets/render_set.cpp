@@ -294,28 +294,56 @@ class SetRenderer {
     timings_.add(fmt::format("mesh-{}-{}-{:04}", scene.definition.truth, works.front().stimulus.object,
                              works.front().stimulus.depth.width_px),
                  watch.seconds(), 0);
-    for (const PendingStimulus& work : works) {
-      render_one(scene, estimator, depth.get(), work);
-      if (meshes_) meshes_->finish(work.stimulus, depth);
+    // Frames of clips may be sampled each in its own way.
+    for (const std::vector<PendingStimulus>& alike : by_picture(works)) {
+      if (decisions_)
+        for (const PendingStimulus& work : alike) render_one(scene, estimator, depth.get(), {work});
+      else
+        render_one(scene, estimator, depth.get(), alike);
+      for (const PendingStimulus& work : alike)
+        if (meshes_) meshes_->finish(work.stimulus, depth);
     }
     // Taking it again costs 0.15 s: little beside stimuli that trace bounce light, which need most of it.
     if (asked.bounce == Who::depth) give_back_freed_memory();
   }
 
-  /// `depth` is null when no stimulus of its width asks it anything.
+  /// Renders a picture, and writes it for each of the stimuli that show it. `depth` is null when no stimulus
+  /// of its width asks it anything.
   void render_one(const TruthScene& scene, SceneEstimator& estimator, const LocalScene* depth,
-                  const PendingStimulus& work) {
-    const std::string id = stimulus_id(work.stimulus);
+                  const std::vector<PendingStimulus>& works) {
+    const Stimulus& first = works.front().stimulus;
+    const std::string id = stimulus_id(first);
     const StimulusDecision* decision = decisions_ ? &decisions_->of_stimulus(id) : nullptr;
     const Stopwatch watch;
-    const Recipe how = recipe(work.stimulus.artifact, work.stimulus.isolation);
-    const Geometry* geometry = depth != nullptr ? &depth->geometry : nullptr;
+    const Recipe how = recipe(first.artifact, first.isolation);
     const DepthWorld world = depth != nullptr ? depth->world() : DepthWorld(nullptr);
     const ReportProgress reported = report(weights_.stimulus, id);
     EstimatedStimulus made = decision != nullptr ? estimator.decided_stimulus(how, world, *decision, reported)
                                                  : estimator.stimulus(how, world, reported);
     Composite composite = compose(made.sums, made.sums.compositing, threads_);
-    give_depth_parallax(scene, estimator.truth(), geometry, made.sums, threads_, composite);
+    give_depth_parallax(scene, estimator.truth(), depth != nullptr ? &depth->geometry : nullptr, made.sums,
+                        threads_, composite);
+    ErrorNotes notes{.worst_tile = made.worst_tile};
+    if (request_.error)
+      notes.rare_light =
+          rare_light_share(made.sums, composite.picture, scene.definition.exposure_ev, threads_);
+    if (made.error_map) notes.changes = changes_.add(id, std::move(*made.error_map));
+    for (const PendingStimulus& work : works) {
+      keep(scene, estimator, depth, work, made, composite);
+      const bool is_first = &work == &works.front();
+      timings_.add(stimulus_id(work.stimulus), is_first ? watch.seconds() : 0, is_first ? made.sums.rays : 0,
+                   notes);
+      if (!is_first) progress_->advance(weights_.stimulus, stimulus_id(work.stimulus));
+      ++summary_.rendered;
+      if (mark_) mark_->finished_one();
+    }
+  }
+
+  /// A rendered picture as that of one stimulus, whose record then says that it is finished.
+  void keep(const TruthScene& scene, SceneEstimator& estimator, const LocalScene* depth,
+            const PendingStimulus& work, const EstimatedStimulus& made, const Composite& composite) {
+    const Recipe how = recipe(work.stimulus.artifact, work.stimulus.isolation);
+    const Geometry* geometry = depth != nullptr ? &depth->geometry : nullptr;
     ManifestStimulus record =
         write_stimulus(request_.set_folder, work.stimulus,
                        {.made = made,
@@ -332,14 +360,6 @@ class SetRenderer {
       write_layers({request_.set_folder, work.stimulus, work.inputs}, scene, geometry,
                    {estimator.truth(), made.sums, composite});
     records_.finish(record, work.inputs);
-    ErrorNotes notes{.worst_tile = made.worst_tile};
-    if (request_.error)
-      notes.rare_light =
-          rare_light_share(made.sums, composite.picture, scene.definition.exposure_ev, threads_);
-    if (made.error_map) notes.changes = changes_.add(id, std::move(*made.error_map));
-    timings_.add(id, watch.seconds(), made.sums.rays, notes);
-    ++summary_.rendered;
-    if (mark_) mark_->finished_one();
   }
 
   /// What methods of real time stand for.

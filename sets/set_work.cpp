@@ -87,6 +87,18 @@ Answers asked_of_depth(const std::vector<Stimulus>& of_truth) {
   return asked_by_any(recipes);
 }
 
+std::vector<std::vector<PendingStimulus>> by_picture(const std::vector<PendingStimulus>& works) {
+  std::vector<std::vector<PendingStimulus>> alike;
+  for (const PendingStimulus& work : works) {
+    const auto found = std::find_if(alike.begin(), alike.end(), [&](const auto& others) {
+      const Stimulus& other = others.front().stimulus;
+      return other.artifact == work.stimulus.artifact && other.isolation == work.stimulus.isolation;
+    });
+    (found == alike.end() ? alike.emplace_back() : *found).push_back(work);
+  }
+  return alike;
+}
+
 WorkWeights work_weights(Estimator estimator) {
   switch (estimator) {
     case Estimator::fast:

@@ -54,6 +54,10 @@ using StimuliOfTruths = std::map<std::string, std::vector<Stimulus>>;
 /// render: a set that was interrupted has the same bytes.
 [[nodiscard]] Answers asked_of_depth(const std::vector<Stimulus>& of_truth);
 
+/// Stimuli of one truth, object and depth mesh by what is seen of them: conditions that differ only in what
+/// people are asked, or told, show the same picture, which is rendered once.
+[[nodiscard]] std::vector<std::vector<PendingStimulus>> by_picture(const std::vector<PendingStimulus>& works);
+
 /// Weights of the progress bar, about seconds: the fast estimator does most of its work once a scene.
 struct WorkWeights {
   double reference = 0, truth = 0, mesh = 0, stimulus = 0;

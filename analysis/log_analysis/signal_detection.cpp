@@ -22,10 +22,7 @@ struct YesCounts {
   [[nodiscard]] double z() const { return normal_quantile((yes + 0.5) / (all + 1)); }
 };
 
-struct MeanOverPeople {
-  double mean = nan;
-  Interval ci95{.low = nan, .high = nan};
-};
+}  // namespace
 
 MeanOverPeople mean_of_observers(const std::vector<double>& values) {
   const auto n = static_cast<double>(values.size());
@@ -39,8 +36,6 @@ MeanOverPeople mean_of_observers(const std::vector<double>& values) {
   found.ci95 = {.low = mean - reach, .high = mean + reach};
   return found;
 }
-
-}  // namespace
 
 SignalDetection signal_detection(const Analysis& analysis) {
   SignalDetection found;

@@ -4,6 +4,7 @@
 
 #include "analysis/log_analysis/analysis.h"
 #include "analysis/psychometric/likelihood/profile.h"
+#include "support/text/numbers.h"
 
 namespace seamline::analysis {
 
@@ -25,6 +26,13 @@ struct DetectionRow {
   double criterion = 0;
   Interval d_prime_ci95 = {}, criterion_ci95 = {};  ///< Student's, over participants; NaN for one
 };
+
+/// A mean over participants, each of whom counts alike, with Student's interval; NaN for one.
+struct MeanOverPeople {
+  double mean = nan;
+  Interval ci95{.low = nan, .high = nan};
+};
+[[nodiscard]] MeanOverPeople mean_of_observers(const std::vector<double>& values);
 
 struct SignalDetection {
   double false_alarms = 0;  ///< mean share of yes to reference trials

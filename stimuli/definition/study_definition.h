@@ -153,6 +153,7 @@ struct ConditionDefinition {
   std::vector<SceneDefinition> scenes;              ///< the study's, with this condition's light
   std::shared_ptr<const TaskDefinition> task = {};  ///< none: the study's
   std::shared_ptr<const LookDefinition> look = {};  ///< none: the study's
+  std::string instructions = {};                    ///< read before its block of trials; empty: nothing
 };
 
 /// A whole study: everything that decides what people are shown. Defaults are the paper's where it has any.

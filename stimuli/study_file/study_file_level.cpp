@@ -202,6 +202,7 @@ ConditionDefinition read_condition(const TomlTable& table, const StudyDefinition
                                 .scenes = study.scenes};
   condition.look = read_look(table, study.look);
   condition.task = read_task_of_condition(table, study);
+  condition.instructions = table.text("instructions", "");
   refuse_level_keys(table, study.level);
   condition.depth.chain = read_depth_chain(table, study.depth.chain, study.level, study.seed, clock);
   if (has_sensor(study.depth) && !has_sensor(condition.depth) && !table.has("depth_width_px"))

@@ -41,13 +41,13 @@ bool is_timed(const Session& session) {
   return std::holds_alternative<Viewing>(session.phase) || std::holds_alternative<Gap>(session.phase);
 }
 
-/// When an exposure ends while the answer is awaited; 0: it does not.
-std::int64_t exposure_end_ns(const Session& session) {
-  const std::int64_t exposure_ns = task_due(session).exposure_ns;
-  if (exposure_ns == 0) return 0;
-  if (const auto* choosing = std::get_if<Choosing>(&session.phase)) return choosing->onset_ns + exposure_ns;
-  if (const auto* rating = std::get_if<Rating>(&session.phase)) return rating->onset_ns + exposure_ns;
-  return 0;
+/// When the picture, or the mask after it, that is on the screen while the answer is awaited is taken away;
+/// 0: it is not.
+std::int64_t exposure_end_ns(const Session& session, const Stage& stage) {
+  const SessionTask& task = task_due(session);
+  const std::optional<std::int64_t> onset_ns = onset_of(&session);
+  if (task.exposure_ns == 0 || !onset_ns) return 0;
+  return *onset_ns + task.exposure_ns + (stage.mask_seen ? task.mask_ns : 0);
 }
 
 }  // namespace
@@ -83,6 +83,7 @@ void Application::run_frame() {
 
   stage_.panorama.reset();
   stage_.picture_seen.reset();
+  stage_.mask_seen.reset();
   ui_.begin(stage_.input, stage_.screen_px);
   const Outcome outcome =
       std::visit([&](const auto& screen) { return draw(screen, visit_, stage_); }, visit_.screen);
@@ -138,12 +139,16 @@ void Application::note_answer(const VisitEvent& event) {
   const std::string practice = std::holds_alternative<TrainingScreen>(visit_.screen) ? "practice " : "";
   if (const auto* chosen = std::get_if<ObjectChosen>(inner))
     note("choice", chosen->now_ns, fmt::format("{}{}", practice, chosen->index));
-  if (std::holds_alternative<RatingGiven>(*inner)) note_poses(monotonic_ns());
+  const Session* session = session_on_screen(visit_);
+  const bool ends =
+      std::holds_alternative<RatingGiven>(*inner) ||
+      (std::holds_alternative<ObjectChosen>(*inner) && session != nullptr && !task_due(*session).facts.rates);
+  if (ends) note_poses(monotonic_ns());
   if (const auto* given = std::get_if<RatingGiven>(inner))
-    note("rating", given->now_ns, fmt::format("{}{}", practice, given->rating));
-  if (const ClipPlayer* clip = pictures_.clip();
-      clip != nullptr && std::holds_alternative<RatingGiven>(*inner))
-    note("clip", std::get<RatingGiven>(*inner).now_ns,
+    note("rating", given->now_ns,
+         fmt::format("{}{}", practice, given->position >= 0 ? given->position : given->rating));
+  if (const ClipPlayer* clip = pictures_.clip(); clip != nullptr && ends)
+    note("clip", monotonic_ns(),
          fmt::format("{}shown {} late {} dropped {}", practice, clip->showing().shown, clip->showing().late,
                      clip->showing().dropped));
 }
@@ -168,7 +173,10 @@ void Application::step(const VisitEvent& event) {
                        : -1;
   const int answered = answered_on_screen(visit_);
   visit_ = store_.step(std::move(visit_), event);
-  if (answered_on_screen(visit_) != answered) exposures_.forget();
+  if (answered_on_screen(visit_) != answered) {
+    exposures_.forget();
+    masks_.forget();
+  }
   const auto* instructions = std::get_if<InstructionScreen>(&visit_.screen);
   if (screen_name(visit_.screen) != before || (instructions != nullptr && instructions->page != page))
     ui_.reset();
@@ -243,12 +251,18 @@ void Application::show_frame(std::int64_t begun_ns) {
 
 /// Of a task that limits exposures: how long a picture stood that this frame took away.
 void Application::note_exposure(const Session* session, std::int64_t shown_ns, std::int64_t period_ns) {
-  if (session == nullptr || std::holds_alternative<Grey>(session->phase)) return exposures_.forget();
-  const std::int64_t exposure_ns = task_due(*session).exposure_ns;
-  if (exposure_ns == 0) return;
-  if (const auto ended = exposures_.note_shown(stage_.picture_seen, shown_ns, exposure_ns, period_ns))
-    note("exposure", shown_ns,
-         (std::holds_alternative<TrainingScreen>(visit_.screen) ? "practice " : "") + text_of(*ended));
+  if (session == nullptr || std::holds_alternative<Grey>(session->phase)) {
+    exposures_.forget();
+    return masks_.forget();
+  }
+  const SessionTask& task = task_due(*session);
+  if (task.exposure_ns == 0) return;
+  const std::string practice = std::holds_alternative<TrainingScreen>(visit_.screen) ? "practice " : "";
+  if (const auto ended = exposures_.note_shown(stage_.picture_seen, shown_ns, task.exposure_ns, period_ns))
+    note("exposure", shown_ns, practice + text_of(*ended));
+  if (task.mask_ns == 0) return;
+  if (const auto ended = masks_.note_shown(stage_.mask_seen, shown_ns, task.mask_ns, period_ns))
+    note("mask", shown_ns, practice + text_of(*ended));
 }
 
 /// When something changes by itself: after what a frame that began at `begun_ns` could know.
@@ -263,7 +277,7 @@ void Application::plan_next_frame(std::int64_t begun_ns, std::int64_t shown_ns) 
     const std::int64_t open_ns = choosing->onset_ns + session->pace.minimum_viewing_ns;
     if (open_ns > begun_ns) due_ns_ = open_ns;
   }
-  const std::int64_t end_ns = exposure_end_ns(*session);
+  const std::int64_t end_ns = exposure_end_ns(*session, stage_);
   if (end_ns > shown_ns && (!due_ns_ || *due_ns_ > end_ns)) due_ns_ = end_ns - next_frame_ns(display_);
   const ClipPlayer* clip = pictures_.clip();
   const std::optional<std::int64_t> onset_ns = onset_of(session);

@@ -71,6 +71,7 @@ class Application {
   std::int64_t swap_ = 0;                     ///< number of the next swap
   std::optional<std::int64_t> turn_ns_ = {};  ///< the due picture's turn came then
   ExposureCounter exposures_;                 ///< of the trial on the screen
+  ExposureCounter masks_;
 };
 
 }  // namespace seamline::study::app

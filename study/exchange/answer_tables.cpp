@@ -182,8 +182,10 @@ std::vector<CsvTable> answer_tables(const LogContents& log, const std::optional<
   std::vector<CsvTable> tables = {table_of_answers(log), table_of_catches(log), table_of_participants(log)};
   if (!anonymity) add_languages(log, tables.back());
   add_clip_columns(log, anonymity, tables.front());
-  if (!anonymity)
+  if (!anonymity) {
     add_exposure_columns(log, tables.front());  // how a computer shows pictures may tell whose it is
+    add_slider_column(log, tables.front());
+  }
   if (anonymity)
     for (CsvTable& table : tables) table = without_order(std::move(table), *anonymity);
   else  // how somebody moves may tell who it is

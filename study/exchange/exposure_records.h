@@ -1,4 +1,7 @@
 #pragma once
+#include <map>
+
+#include "study/exchange/trial_events.h"
 #include "study/log/log.h"
 #include "support/text/csv.h"
 
@@ -8,7 +11,14 @@ namespace seamline::study {
 /// the study limits that (`exposure_s`): columns `exposure_frames` (wanted), `exposure_off` (the largest
 /// difference of a picture) and `exposure_marked` (1: some picture differs). Empty where an answer ended the
 /// exposure, and of simulated people. Throws InputError when the log cannot be read, or an event `exposure`
-/// is none.
+/// is none. The same of masks, from events `mask`.
 void add_exposure_columns(const LogContents& log, CsvTable& answers);
+
+/// Where the slider of each answered trial stood, of a study that has one. Throws InputError where an event
+/// `slid` says no place.
+[[nodiscard]] std::map<TrialOfPerson, int> slider_places(const LogContents& log);
+[[nodiscard]] bool has_slider(const LogContents& log);
+/// Adds them to the table of the log's answers: a column `position`.
+void add_slider_column(const LogContents& log, CsvTable& answers);
 
 }  // namespace seamline::study

@@ -53,10 +53,10 @@ struct LogWriter::Tables {
 
   void read_trials(OpenSession& session);
 
-  /// Of a match, an event `matched` with the id of the stimulus at which the participant stopped; nothing of
-  /// other answers. Its time is that of the answer, from the picture's onset. Call it in the transaction of
-  /// the answer.
-  void note_match(std::int64_t session, const TrialAnswer& given);
+  /// Of a match, an event `matched` with the id of the stimulus at which the participant stopped; of a slider
+  /// an event `slid` with its place; nothing of other answers. Its time is that of the answer, from the
+  /// picture's onset. Call it in the transaction of the answer.
+  void note_where(std::int64_t session, const TrialAnswer& given);
 
  private:
   void check_not_in_a_browser(const std::string& code);

@@ -250,7 +250,12 @@ void LogWriter::append_trials(OpenSession& session, std::span<const Trial> trial
   session.trials.insert(session.trials.end(), trials.begin(), trials.end());
 }
 
-void LogWriter::Tables::note_match(std::int64_t session, const TrialAnswer& given) {
+void LogWriter::Tables::note_where(std::int64_t session, const TrialAnswer& given) {
+  if (given.position >= 0) {
+    SQLite::Statement slid(database, R"sql(
+        INSERT INTO events (session, monotonic_ns, kind, trial_index, detail) VALUES (?, ?, 'slid', ?, ?))sql");
+    run(slid, session, given.rating_ns, given.trial_index, std::to_string(given.position));
+  }
   if (given.matched < 0) return;
   SQLite::Statement matched(database, R"sql(
       INSERT INTO events (session, monotonic_ns, kind, trial_index, detail)
@@ -263,7 +268,7 @@ void LogWriter::append_answer(OpenSession& session, const TrialAnswer& answer) {
   transaction([&] {
     run(tables_->answer, session.participant, answer.trial_index, session.session, answer.chosen_index,
         answer.rating, answer.choice_ns, answer.rating_ns, session.image_scale);
-    tables_->note_match(session.session, answer);
+    tables_->note_where(session.session, answer);
     if (!session.simulated) run(tables_->seen, now_unix_s(), session.session);
   });
   session.answers.push_back(answer);

@@ -8,6 +8,8 @@ std::string_view word(TrialKind kind) {
       return "stimulus";
     case TrialKind::attention:
       return "attention";
+    case TrialKind::mask:
+      return "mask";
     case TrialKind::reference:
       return "reference";
   }

@@ -16,8 +16,10 @@ inline constexpr int highest_rating = 4;
 enum class TrialKind {
   stimulus,   ///< a picture of the set: what the study is about
   attention,  ///< an insertion that nobody who looks can miss (stimuli/pictures/attention_image.h)
-  reference   ///< nothing was inserted: there is no right answer
+  reference,  ///< nothing was inserted: there is no right answer
+  mask        ///< no trial: what covers a picture's place after it (stimuli/pictures/mask_image.h)
 };
+/// Those that there are trials of.
 inline constexpr std::array<TrialKind, 3> every_trial_kind = {TrialKind::stimulus, TrialKind::attention,
                                                               TrialKind::reference};
 [[nodiscard]] std::string_view word(TrialKind kind);
@@ -42,6 +44,7 @@ struct TrialAnswer {
   int chosen_index = 0;        ///< from 1; of three objects 1 left, 2 middle, 3 right
   int rating = 0;              ///< 1 slightly .. 4 extremely noticeable
   int matched = -1;            ///< of a match, the stimulus at which the participant stopped; -1: none
+  int position = -1;           ///< of a slider, 0 to `slider_end`; its rating is the fifth; -1: none
   std::int64_t choice_ns = 0;  ///< from the image's onset to the choice that counted
   std::int64_t rating_ns = 0;  ///< from the image's onset to the rating; at least choice_ns
   bool operator==(const TrialAnswer&) const = default;

@@ -64,6 +64,8 @@ Response answer_of(const SimulatedPerson& person, const RenderedSet& set, const 
       return respond_to_attention(person.observer, alternatives, random);
     case TrialKind::reference:
       return respond_to_reference(alternatives, random);
+    case TrialKind::mask:
+      break;  // no trial
   }
   return {};
 }
@@ -85,6 +87,15 @@ Session run_match(Session session, const SimulatedPerson& person, const Rendered
   return next(std::move(session), ObjectChosen{.index = static_cast<int>(MatchStep::just_seen)});
 }
 
+/// Where a slider stops in the fifth of a rating: anywhere in it, by numbers of its own.
+int place_in_fifth(const SimulatedPerson& person, const Session& session, int rating) {
+  constexpr std::uint64_t slider_salt = 0x736c69646572;  // "slider"
+  Random random(mix_bits(person.seed ^ slider_salt),
+                static_cast<std::uint64_t>(answered_trials(session.trials)));
+  constexpr int fifth = slider_end / 5;
+  return rating * fifth + static_cast<int>(random.below(rating == highest_rating ? fifth + 1 : fifth));
+}
+
 /// One picture or several, from the first onset to the answer.
 Session run_choice(Session session, const SimulatedPerson& person, const RenderedSet& set) {
   const Response response = answer_of(person, set, session);
@@ -95,7 +106,10 @@ Session run_choice(Session session, const SimulatedPerson& person, const Rendere
   }
   if (task.chooses) session = next(std::move(session), ObjectChosen{.index = response.chosen_index});
   const bool nothing_seen = !task.chooses && response.chosen_index != 1;
-  return next(std::move(session), RatingGiven{.rating = nothing_seen ? 0 : response.rating});
+  const int rating = nothing_seen ? 0 : response.rating;
+  return next(
+      std::move(session),
+      RatingGiven{.rating = rating, .position = task.slides ? place_in_fifth(person, session, rating) : -1});
 }
 
 /// One trial from the first image to the stored answer, in no time at all.

@@ -31,6 +31,10 @@ std::shared_ptr<const TaskDefinition> task_of(const RenderedSet& set, const Tria
   return stimuli::task_of(set.study, record.stimulus.condition);
 }
 
+bool is_masked(const RenderedSet& set, const Trial& trial) {
+  return facts_of(task_of(set, trial).get()).masks;
+}
+
 RightRule right_rule(const TaskFacts& task, std::uint64_t study_seed, int slot, OwnTasks own_tasks) {
   return {.task = task,
           .seed = Random(mix_bits(study_seed ^ right_salt), static_cast<std::uint64_t>(slot)).bits(),

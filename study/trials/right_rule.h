@@ -21,6 +21,9 @@ using OwnTasks = std::shared_ptr<const std::vector<TaskFacts>>;
 /// The task of a trial, its own words with it; null: the paper's question.
 [[nodiscard]] std::shared_ptr<const TaskDefinition> task_of(const RenderedSet& set, const Trial& trial);
 
+/// Whether a mask follows what a trial shows.
+[[nodiscard]] bool is_masked(const RenderedSet& set, const Trial& trial);
+
 /// Which alternative of a participant's trials is right: a pure function of the participant's slot and the
 /// trial's place, so that nothing is drawn again when a session resumes. The log keeps it.
 struct RightRule {

@@ -2,7 +2,9 @@
 
 #include "stimuli/definition/looks/condition_tasks.h"
 #include "stimuli/pictures/attention_image.h"
+#include "stimuli/pictures/mask_image.h"
 #include "stimuli/set/manifest_pictures.h"
+#include "study/trials/right_rule.h"
 #include "study/trials/trial_clip.h"
 
 namespace seamline::study {
@@ -18,6 +20,17 @@ const ManifestReference& scene_reference(const RenderedSet& set, const Trial& tr
 
 ByteImage load_reference(const RenderedSet& set, const Trial& trial) {
   return read_manifest_picture(set.folder, reference_picture(set.manifest, scene_reference(set, trial)));
+}
+
+/// One a scene, whatever stimulus it follows: its place among the references is its stream.
+ByteImage load_mask(const RenderedSet& set, const Trial& trial) {
+  const ManifestReference& own = scene_reference(set, trial);
+  std::uint64_t stream = 0;
+  for (const ManifestReference& one : set.manifest.references) {
+    if (one.truth == own.truth) break;
+    ++stream;
+  }
+  return mask_image(load_reference(set, trial), task_of(set, trial)->mask, set.study.seed, stream);
 }
 
 }  // namespace
@@ -36,6 +49,8 @@ ByteImage load_trial_picture(const RenderedSet& set, const Trial& trial) {
                              record_of(set, trial).stimulus.object_index);
     case TrialKind::reference:
       return load_reference(set, trial);
+    case TrialKind::mask:
+      return load_mask(set, trial);
   }
   return {};
 }

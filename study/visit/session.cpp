@@ -11,6 +11,11 @@ Phase before_image(const SessionPace& pace) {
   return pace.inter_trial_ns > 0 ? Phase(Grey{}) : Phase(AwaitingImage{});
 }
 
+/// -1: its block has no words of its own.
+int briefed_block(const SessionPace& pace, const std::optional<Trial>& trial) {
+  return pace.briefed && trial ? pace.briefed->at(static_cast<std::size_t>(trial->stimulus)) : -1;
+}
+
 Phase after_grey(const Grey& phase, const Event& event, const SessionPace& pace) {
   if (std::holds_alternative<PictureTaken>(event)) return Grey{};
   const auto* tick = std::get_if<Tick>(&event);
@@ -85,13 +90,18 @@ Phase after_choice(const Choosing& phase, const Event& event, const Session& ses
 /// The answer of a task without a choice: whether anything was seen is the rating's to say.
 Phase after_only_rating(const Rating& phase, const Event& event, const Session& session) {
   const auto* given = std::get_if<RatingGiven>(&event);
-  if (given == nullptr || given->rating < 0 || given->rating > highest_rating) return phase;
+  if (given == nullptr) return phase;
+  const bool slides = task_due(session).facts.slides;
+  const int rating = slides ? rating_at(given->position) : given->rating;
+  if (slides ? given->position < 0 || given->position > slider_end : rating < 0 || rating > highest_rating)
+    return phase;
   const std::int64_t rating_ns = given->now_ns - phase.onset_ns;
   if (rating_ns < session.pace.minimum_viewing_ns) return phase;
-  const bool seen = given->rating > 0;
+  const bool seen = rating > 0;
   return Storing{{.trial_index = answered_trials(session.trials),
                   .chosen_index = seen ? 1 : 2,
-                  .rating = seen ? given->rating : 1,
+                  .rating = seen ? rating : 1,
+                  .position = slides ? given->position : -1,
                   .choice_ns = rating_ns,
                   .rating_ns = rating_ns}};
 }
@@ -114,26 +124,31 @@ Phase after_rating(const Rating& phase, const Event& event, const Session& sessi
                   .rating_ns = rating_ns}};
 }
 
-Phase next_trial(const Session& session) {
-  if (!current_trial(session.trials)) return Done{};
+Phase next_trial(const Session& session, const std::optional<Trial>& before) {
+  const std::optional<Trial> due = current_trial(session.trials);
+  if (!due) return Done{};
+  const int block = briefed_block(session.pace, due);
+  const bool briefs = block >= 0 && block != briefed_block(session.pace, before);
   const int answered = answered_trials(session.trials);
   const int every = session.pace.break_every_trials;
-  if (every > 0 && answered % every == 0) return OnBreak{};
-  return before_image(session.pace);
+  if (every > 0 && before && answered % every == 0) return OnBreak{.briefing_next = briefs};
+  return briefs ? Phase(Briefing{}) : before_image(session.pace);
 }
 
 Session after_storing(Session session, const TrialAnswer& answer, const Event& event) {
   if (!std::holds_alternative<AnswerStored>(event)) return session;
+  const std::optional<Trial> before = current_trial(session.trials);
   session.trials = after_answer(std::move(session.trials), answer);
-  session.phase = next_trial(session);
+  session.phase = next_trial(session, before);
   return session;
 }
 
 }  // namespace
 
 Session begin_session(TrialSequence trials, const SessionPace& pace) {
-  const bool over = !current_trial(trials);
-  return {.trials = std::move(trials), .pace = pace, .phase = over ? Phase(Done{}) : before_image(pace)};
+  Session session{.trials = std::move(trials), .pace = pace, .phase = Done{}};
+  session.phase = next_trial(session, std::nullopt);
+  return session;
 }
 
 Session next(Session session, const Event& event) {
@@ -152,6 +167,10 @@ Session next(Session session, const Event& event) {
           [&](const Rating& now) { return with(after_rating(now, event, session)); },
           [&](const Storing& now) { return after_storing(std::move(session), now.answer, event); },
           [&](const OnBreak& now) {
+            if (!std::holds_alternative<BreakEnded>(event)) return with(now);
+            return with(now.briefing_next ? Phase(Briefing{}) : before_image(session.pace));
+          },
+          [&](const Briefing& now) {
             return with(std::holds_alternative<BreakEnded>(event) ? before_image(session.pace) : Phase(now));
           },
           [&](const Done& now) { return with(now); },
@@ -174,6 +193,11 @@ std::optional<Trial> picture_on_screen(const Session& session) {
 
 bool is_picture_seen(const SessionTask& task, std::int64_t onset_ns, std::int64_t now_ns) {
   return task.facts.pictures == 1 && (task.exposure_ns == 0 || now_ns - onset_ns < task.exposure_ns);
+}
+
+bool is_mask_seen(const SessionTask& task, std::int64_t onset_ns, std::int64_t now_ns) {
+  const std::int64_t since_ns = now_ns - onset_ns - task.exposure_ns;
+  return task.exposure_ns > 0 && since_ns >= 0 && since_ns < task.mask_ns;
 }
 
 }  // namespace seamline::study

@@ -42,9 +42,13 @@ struct Rating {  ///< it is chosen, or the task has no choice; how noticeable wa
 struct Storing {  ///< the answer is complete and must be committed to the log
   TrialAnswer answer;
 };
-struct OnBreak {};
+struct OnBreak {
+  bool briefing_next = false;  ///< a block begins after it
+};
+struct Briefing {};  ///< a block of trials begins with instructions of its own
 struct Done {};
-using Phase = std::variant<Grey, AwaitingImage, Viewing, Gap, Choosing, Rating, Storing, OnBreak, Done>;
+using Phase =
+    std::variant<Grey, AwaitingImage, Viewing, Gap, Choosing, Rating, Storing, OnBreak, Briefing, Done>;
 
 // What can happen to a session.
 
@@ -59,11 +63,12 @@ struct ObjectChosen {
   std::int64_t now_ns = 0;
 };
 struct RatingGiven {
-  int rating = 0;  ///< 1..4; 0 where there is no choice and nothing was seen
+  int rating = 0;  ///< 1..4; 0 where there is no choice and nothing was seen; of a slider nothing
   std::int64_t now_ns = 0;
+  int position = -1;  ///< of a slider
 };
 struct AnswerStored {};  ///< the log has committed the answer
-struct BreakEnded {};
+struct BreakEnded {};    ///< a break, or a briefing
 struct PictureTaken {};  ///< the picture left the screen before the answer was complete (a pause)
 using Event =
     std::variant<Tick, ImageShown, ObjectChosen, RatingGiven, AnswerStored, BreakEnded, PictureTaken>;
@@ -73,11 +78,16 @@ struct SessionTask {
   TaskFacts facts = {};
   std::int64_t exposure_ns = 0;  ///< 0: until the answer
   std::int64_t gap_ns = 0;
+  std::int64_t mask_ns = 0;                          ///< from the end of each exposure; 0: no mask
   std::shared_ptr<const LevelLadders> ladders = {};  ///< of a match: between which pictures people move
 };
 
 /// Of each stimulus of a set whose conditions have tasks of their own; null: all ask what the study asks.
 using OwnSessionTasks = std::shared_ptr<const std::vector<SessionTask>>;
+
+/// Of each stimulus the block that is briefed before its first trial, -1 of blocks without words; null: none
+/// is.
+using BriefedBlocks = std::shared_ptr<const std::vector<int>>;
 
 /// How a session is paced.
 struct SessionPace {
@@ -86,6 +96,7 @@ struct SessionPace {
   std::int64_t inter_trial_ns = 0;      ///< 0: no grey between trials
   SessionTask task = {};
   OwnSessionTasks own_tasks = {};
+  BriefedBlocks briefed = {};
 };
 
 /// A session of one participant; a value. The trial that is due is number `answered_trials(trials)`.
@@ -107,6 +118,8 @@ struct Session {
 ///     last) | Done
 ///     Rating --ObjectChosen--> Rating (the last choice before the rating counts)
 ///     OnBreak --BreakEnded--> Grey
+///     Before a session's first trial, and before that of a block with a briefing: Briefing --BreakEnded-->
+///     Grey; a break comes first
 ///     Grey, Viewing, Gap, Choosing, Rating --PictureTaken--> Grey (the trial begins again)
 ///
 /// A task of several pictures, and tasks without a rating or without a choice:
@@ -136,5 +149,8 @@ struct Session {
 /// Whether the picture of a trial is seen at a time while the answer is awaited: not where pictures were
 /// shown one after another, nor after the exposure.
 [[nodiscard]] bool is_picture_seen(const SessionTask& task, std::int64_t onset_ns, std::int64_t now_ns);
+
+/// Whether the mask of the picture that came at `onset_ns` is seen at a time.
+[[nodiscard]] bool is_mask_seen(const SessionTask& task, std::int64_t onset_ns, std::int64_t now_ns);
 
 }  // namespace seamline::study

@@ -12,6 +12,7 @@ Session begin_training(const VisitScript& script) {
     if (trial.kind == TrialKind::stimulus) procedure.order.push_back(trial.stimulus);
   SessionPace pace = script.pace;
   pace.break_every_trials = 0;
+  pace.briefed = nullptr;
   return begin_session({.procedure = std::move(procedure),
                         .catches = catch_trials_of(script.training),
                         .right = script.training_rule},
@@ -63,6 +64,10 @@ Screen after_display(const Visit& visit) {
 void show_session(Visit& visit) {
   if (std::holds_alternative<OnBreak>(visit.session.phase)) {
     visit.screen = BreakScreen{};
+    return;
+  }
+  if (std::holds_alternative<Briefing>(visit.session.phase)) {
+    visit.screen = BriefingScreen{};
     return;
   }
   visit.screen = TrialScreen{};
@@ -140,6 +145,13 @@ void on_instructions(Visit& visit, InstructionScreen screen, const VisitEvent& e
                      : training_or_ready(visit);
 }
 
+/// A break, or what is read before a block.
+void on_break(Visit& visit, bool continued) {
+  if (!continued) return;
+  visit.session = next(std::move(visit.session), BreakEnded{});
+  show_session(visit);
+}
+
 /// The screen that a pause interrupts, if it can.
 std::optional<PausableScreen> pausable(const Screen& screen) {
   return std::visit(
@@ -181,11 +193,8 @@ void on_screen(Visit& visit, const VisitEvent& event) {
                    if (continued) show_session(visit);
                  },
                  [&](const TrialScreen&) { on_trial(visit, event); },
-                 [&](const BreakScreen&) {
-                   if (!continued) return;
-                   visit.session = next(std::move(visit.session), BreakEnded{});
-                   show_session(visit);
-                 },
+                 [&](const BreakScreen&) { on_break(visit, continued); },
+                 [&](const BriefingScreen&) { on_break(visit, continued); },
                  [&](const PauseScreen& now) {
                    if (continued)
                      visit.screen = std::visit([](const auto& below) { return Screen(below); }, now.below);

@@ -41,19 +41,20 @@ struct FeedbackScreen {    ///< on the training trial that was just answered
 struct ReadyScreen {};  ///< practice is over, the trials begin
 struct TrialScreen {};  ///< a trial of `Visit::session`, whose phase says what is seen
 struct BreakScreen {};
+struct BriefingScreen {};  ///< the instructions of the block whose first trial is due
 struct ThanksScreen {};
 struct DeclinedScreen {};
 struct StoppedScreen {  ///< something could not be stored; what was stored before is
   std::string message;
 };
-using PausableScreen =
-    std::variant<InstructionScreen, TrainingScreen, FeedbackScreen, ReadyScreen, TrialScreen, BreakScreen>;
+using PausableScreen = std::variant<InstructionScreen, TrainingScreen, FeedbackScreen, ReadyScreen,
+                                    TrialScreen, BreakScreen, BriefingScreen>;
 struct PauseScreen {
   PausableScreen below;  ///< what goes on after the pause
 };
 using Screen = std::variant<ConsentScreen, FormScreen, DisplayScreen, InstructionScreen, TrainingScreen,
-                            FeedbackScreen, ReadyScreen, TrialScreen, BreakScreen, PauseScreen, ThanksScreen,
-                            DeclinedScreen, StoppedScreen>;
+                            FeedbackScreen, ReadyScreen, TrialScreen, BreakScreen, BriefingScreen,
+                            PauseScreen, ThanksScreen, DeclinedScreen, StoppedScreen>;
 
 // What must be stored.
 
@@ -125,7 +126,8 @@ struct Visit {
 ///     Consent --ConsentGiven--> [ConsentRecord] --Enrolled--> Form --FormSubmitted, no problems-->
 ///     [FormRecord] --> Display --DisplayConfirmed--> [DisplayRecord] --> Instruction pages --Continued-->
 ///     Training, each trial [TrainingRecord] --> Feedback --Continued--> ... --> Ready --Continued-->
-///     Trials, each [AnswerRecord], with Breaks between --> [CompletionRecord] --> Thanks
+///     Trials, each [AnswerRecord], with Breaks between, and a Briefing before each block that has one -->
+///     [CompletionRecord] --> Thanks
 ///     Consent --ConsentRefused--> [DeclineRecord] --> Declined
 ///     PauseBegun on a PausableScreen --> Pause --Continued--> what it interrupted; a trial whose picture was
 ///     on the screen begins again with a new onset, and a choice without a rating is dropped

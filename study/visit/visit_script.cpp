@@ -32,6 +32,7 @@ SessionTask session_task(const TaskDefinition* task) {
   return {.facts = facts_of(task),
           .exposure_ns = nanoseconds(task->exposure_s),
           .gap_ns = nanoseconds(task->gap_s),
+          .mask_ns = task->mask == TaskMask::none ? 0 : nanoseconds(task->mask_s),
           .ladders = {}};
 }
 
@@ -49,6 +50,20 @@ OwnSessionTasks own_session_tasks(const RenderedSet& set) {
   return std::make_shared<const std::vector<SessionTask>>(std::move(tasks));
 }
 
+BriefedBlocks briefed_blocks(const RenderedSet& set) {
+  const std::vector<ConditionDefinition>& conditions = set.study.conditions;
+  const auto is_briefed = [](const ConditionDefinition& one) { return !one.instructions.empty(); };
+  if (std::none_of(conditions.begin(), conditions.end(), is_briefed)) return nullptr;
+  std::vector<int> blocks;
+  for (const ManifestStimulus& record : set.manifest.stimuli) {
+    const auto own = std::find_if(conditions.begin(), conditions.end(),
+                                  [&](const auto& one) { return one.name == record.stimulus.condition; });
+    const bool has = own != conditions.end() && is_briefed(*own);
+    blocks.push_back(has ? static_cast<int>(own - conditions.begin()) : -1);
+  }
+  return std::make_shared<const std::vector<int>>(std::move(blocks));
+}
+
 }  // namespace
 
 VisitScript make_visit_script(const RenderedSet& set) {
@@ -61,7 +76,8 @@ VisitScript make_visit_script(const RenderedSet& set) {
                .minimum_viewing_ns = std::max(fastest_choice_ns, nanoseconds(viewing_s(study))),
                .inter_trial_ns = nanoseconds(study.session.inter_trial_s),
                .task = session_task(set),
-               .own_tasks = own_session_tasks(set)},
+               .own_tasks = own_session_tasks(set),
+               .briefed = briefed_blocks(set)},
       .training_rule = right_rule(facts_of(study.task.get()), study.seed, 0, own_tasks_of(set))};
   for (std::size_t i = 0; i < script.training.size(); ++i)
     script.training[i].right_index =

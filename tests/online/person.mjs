@@ -119,6 +119,7 @@ export async function act(page, seen, { mouse = false, answer = usualAnswer } = 
     case "instructions":
     case "feedback":
     case "ready":
+    case "briefing":
     case "break":
       if (await page.locator("#comfort-2").isVisible()) return page.click("#comfort-2");
     // falls through

@@ -31,7 +31,7 @@ function nameOfPhase(phase) {
   const { name, answer } = phase;
   if (name === "rating") return ["rating", phase.chosen_index, phase.choice_ns].join(" ");
   if (name !== "storing") return name;
-  return ["storing", answer.trial_index, answer.chosen_index, answer.rating, answer.choice_ns, answer.rating_ns].join(" ");
+  return ["storing", answer.trial_index, answer.chosen_index, answer.rating, answer.choice_ns, answer.rating_ns, answer.position ?? -1].join(" ");
 }
 
 function nameOfRecord(record) {
@@ -48,8 +48,8 @@ function stateOf({ screen, pending, training, session }) {
 if (process.argv[1].endsWith("replay.mjs")) {
   const [, , web, file] = process.argv;
   const { beginVisit, next } = await importCore(web, "visit.js");
-  const { script, trials, visits } = JSON.parse(readFileSync(file, "utf8"));
-  const order = Array.from({ length: trials }, (_, at) => ({ stimulus_id: String(at) }));
+  const { script, trials, briefings, visits } = JSON.parse(readFileSync(file, "utf8"));
+  const order = Array.from({ length: trials }, (_, at) => ({ stimulus_id: String(at), ...(briefings[at] >= 0 ? { briefing: briefings[at] } : {}) }));
   let events = 0;
   for (const steps of visits) {
     let visit = beginVisit(script);

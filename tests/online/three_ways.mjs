@@ -24,6 +24,21 @@ const TASKS = {
   interval: { tables: '[task]\nkind = "interval"\nexposure_s = 0.1\ngap_s = 0.05\n' },
   yes_no: { references: 8, tables: '[task]\nkind = "yes_no"\n' },
   rating: { references: 8, tables: '[task]\nkind = "rating"\n' },
+  masked: { tables: '[task]\nkind = "interval"\nexposure_s = 0.1\ngap_s = 0.15\nmask = "scrambled"\nmask_s = 0.1\n' },
+  slider: { references: 8, tables: '[task]\nkind = "rating"\nscale = "slider"\n' },
+  briefed: {
+    references: 8,
+    kinds: { turn: "masked", seen: "slider" },
+    tables: `[[condition]]
+name = "turn"
+instructions = "Two pictures, one after another."
+task = { kind = "interval", exposure_s = 0.1, gap_s = 0.15, mask = "noise", mask_s = 0.05 }
+[[condition]]
+name = "seen"
+instructions = "Now one picture, and a line."
+task = { kind = "rating", scale = "slider", labels = ["nothing", "very much"] }
+`,
+  },
   same: { references: 8, tables: '[task]\nkind = "pair"\nasks = "same"\n' },
   conditions: {
     references: 12,
@@ -101,6 +116,10 @@ function deedOf(kind, alternatives, trial, person, at) {
   if (kind === "match") return { steps: Math.floor(chance(person, at, 3) * 7) - 3 };
   const seen = trial.kind === "stimulus" && chance(person, at, 1) < { 64: 0.95, 128: 0.75, 256: 0.4, 512: 0.15 }[trial.level];
   const rating = 1 + Math.floor(chance(person, at, 2) * 4);
+  if (kind === "slider") {
+    const position = (seen ? 20 * rating : 0) + Math.floor(chance(person, at, 6) * 20);
+    return { position: position === 50 ? 51 : position }; // in the middle no key would be pressed
+  }
   if (kind === "rating") return { rating: seen ? 1 + rating : 1 };
   if (kind === "yes_no" || kind === "same") return { choice: seen || chance(person, at, 4) < 0.1 ? 1 : 2 };
   const guess = 1 + Math.floor(chance(person, at, 5) * alternatives);
@@ -110,6 +129,12 @@ function deedOf(kind, alternatives, trial, person, at) {
 /** The keys of a trial's phase. */
 function keysOf(deed, phase) {
   if (deed.steps !== undefined) return [...Array(Math.abs(deed.steps)).fill(deed.steps < 0 ? "Left" : "Right"), "Return"];
+  if (deed.position !== undefined) {
+    const tens = Math.trunc((deed.position - 50) / 10);
+    const ones = deed.position - 50 - 10 * tens;
+    const keys = (count, more, less) => Array(Math.abs(count)).fill(count > 0 ? more : less);
+    return [...keys(tens, "Prior", "Next"), ...keys(ones, "Right", "Left"), "Return"];
+  }
   return [String(phase === "choosing" ? deed.choice : deed.rating)];
 }
 
@@ -146,7 +171,7 @@ async function inWindow({ display }, set, log, folder, person, deed) {
       const line = lines.length > 1 ? JSON.parse(lines.at(-2)) : {};
       if (line.screen === "thanks") break;
       if (line.screen === "consent") press("Tab", "Tab", "Return");
-      if (["instructions", "ready", "break"].includes(line.screen)) press("Return");
+      if (["instructions", "ready", "break", "briefing"].includes(line.screen)) press("Return");
       if (!["choosing", "rating"].includes(line.phase) || done.has(line.trial + line.phase)) continue;
       done.add(line.trial + line.phase);
       await rest(120);
@@ -174,7 +199,7 @@ async function inBrowser(address, deed, end = async () => {}) {
         if (seen.screen !== "trial" || !seen.asks || !["choosing", "rating"].includes(seen.phase) || done.has(asked)) return;
         done.add(asked);
         await page.waitForTimeout(30);
-        for (const key of keysOf(deed(seen.answered), seen.phase)) await page.keyboard.press({ Left: "ArrowLeft", Right: "ArrowRight", Return: "Enter" }[key] ?? key);
+        for (const key of keysOf(deed(seen.answered), seen.phase)) await page.keyboard.press({ Left: "ArrowLeft", Right: "ArrowRight", Return: "Enter", Prior: "PageUp", Next: "PageDown" }[key] ?? key);
         await page.waitForFunction(
           ([answered, phase]) => {
             const { visit } = globalThis.seamline;
@@ -237,7 +262,8 @@ for (const [kind, task] of Object.entries(TASKS)) {
   }
   run("import", logs.import, ...saved, "--set", set);
   const texts = Object.entries(logs).map(([way, log]) => thresholdsOf(log, join(folder, way)));
-  const answers = Object.values(logs).map((log) => query(log, "SELECT trial_index, chosen_index, rating FROM answers ORDER BY participant, trial_index"));
+  const answers = Object.values(logs).map((log) => query(log, `SELECT trial_index, chosen_index, rating, (SELECT detail FROM events WHERE kind = 'slid' AND events.session = answers.session
+     AND events.trial_index = answers.trial_index) FROM answers ORDER BY participant, trial_index`));
   assert.ok(answers[0].length > 0);
   const same = texts[0] === texts[1] && texts[0] === texts[2] && JSON.stringify(answers[0]) === JSON.stringify(answers[1]) && JSON.stringify(answers[0]) === JSON.stringify(answers[2]);
   if (!same) ++failed;

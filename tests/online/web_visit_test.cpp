@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "stimuli/definition/parts/task_definition.h"
 #include "support/running/overloaded.h"
 #include "tests/program/run_program.h"
 #include "tests/study/small_visit.h"
@@ -40,8 +41,8 @@ NamedEvent session_event(Random& random, std::int64_t now_ns) {
     case 4:
     case 5:
     case 11:
-      return {Event(RatingGiven{.rating = number, .now_ns = now_ns}),
-              {{"type", "rating_given"}, {"rating", number}, {"now_ns", now_ns}}};
+      return {Event(RatingGiven{.rating = number, .now_ns = now_ns, .position = 21 * number}),
+              {{"type", "rating_given"}, {"rating", number}, {"position", 21 * number}, {"now_ns", now_ns}}};
     default:
       return {Event(PictureTaken{}), {{"type", "picture_taken"}}};
   }
@@ -103,6 +104,7 @@ std::string name_of(const Screen& screen) {
           [](const ReadyScreen&) -> std::string { return "ready"; },
           [](const TrialScreen&) -> std::string { return "trial"; },
           [](const BreakScreen&) -> std::string { return "break"; },
+          [](const BriefingScreen&) -> std::string { return "briefing"; },
           [](const PauseScreen&) -> std::string { return "pause"; },
           [](const ThanksScreen&) -> std::string { return "thanks"; },
           [](const DeclinedScreen&) -> std::string { return "declined"; },
@@ -111,22 +113,23 @@ std::string name_of(const Screen& screen) {
 }
 
 std::string name_of(const Phase& phase) {
-  return std::visit(Overloaded{[](const Grey&) -> std::string { return "grey"; },
-                               [](const AwaitingImage&) -> std::string { return "awaiting"; },
-                               [](const Viewing&) -> std::string { return "viewing"; },
-                               [](const Gap&) -> std::string { return "gap"; },
-                               [](const Choosing&) -> std::string { return "choosing"; },
-                               [](const Rating& now) {
-                                 return fmt::format("rating {} {}", now.chosen_index, now.choice_ns);
-                               },
-                               [](const Storing& now) {
-                                 const TrialAnswer& a = now.answer;
-                                 return fmt::format("storing {} {} {} {} {}", a.trial_index, a.chosen_index,
-                                                    a.rating, a.choice_ns, a.rating_ns);
-                               },
-                               [](const OnBreak&) -> std::string { return "break"; },
-                               [](const Done&) -> std::string { return "done"; }},
-                    phase);
+  return std::visit(
+      Overloaded{
+          [](const Grey&) -> std::string { return "grey"; },
+          [](const AwaitingImage&) -> std::string { return "awaiting"; },
+          [](const Viewing&) -> std::string { return "viewing"; },
+          [](const Gap&) -> std::string { return "gap"; },
+          [](const Choosing&) -> std::string { return "choosing"; },
+          [](const Rating& now) { return fmt::format("rating {} {}", now.chosen_index, now.choice_ns); },
+          [](const Storing& now) {
+            const TrialAnswer& a = now.answer;
+            return fmt::format("storing {} {} {} {} {} {}", a.trial_index, a.chosen_index, a.rating,
+                               a.choice_ns, a.rating_ns, a.position);
+          },
+          [](const OnBreak&) -> std::string { return "break"; },
+          [](const Briefing&) -> std::string { return "briefing"; },
+          [](const Done&) -> std::string { return "done"; }},
+      phase);
 }
 
 std::string name_of(const std::optional<Record>& record) {
@@ -151,8 +154,19 @@ std::string state_of(const Visit& visit) {
                : "none");
 }
 
-Json script_json() {
-  const VisitScript said = script();
+/// Trials of three blocks, two of them briefed, in which a slider is asked for.
+VisitScript briefed_script() {
+  VisitScript said = script();
+  const TaskDefinition slider{.kind = TaskKind::rating, .second_question = false, .slider = true};
+  said.pace.task.facts = facts_of(&slider);
+  std::vector<int> blocks(10 + trial_count, -1);
+  for (int i = 0; i < trial_count; ++i)
+    blocks[static_cast<std::size_t>(10 + i)] = std::array{0, -1, 1}[static_cast<std::size_t>(i / 4)];
+  said.pace.briefed = std::make_shared<const std::vector<int>>(std::move(blocks));
+  return said;
+}
+
+Json script_json(const VisitScript& said) {
   Json form = Json::array();
   for (const FormField& field : said.form) {
     if (const auto* number = std::get_if<NumberField>(&field.kind))
@@ -174,16 +188,34 @@ Json script_json() {
           {"pace",
            {{"break_every_trials", said.pace.break_every_trials},
             {"minimum_viewing_ns", said.pace.minimum_viewing_ns},
-            {"inter_trial_ns", said.pace.inter_trial_ns}}}};
+            {"inter_trial_ns", said.pace.inter_trial_ns},
+            {"briefs", said.pace.briefed != nullptr},
+            {"task",
+             {{"kind", word(said.pace.task.facts.kind)},
+              {"alternatives", said.pace.task.facts.alternatives},
+              {"pictures", 1},
+              {"exposure_ns", 0},
+              {"gap_ns", 0},
+              {"chooses", said.pace.task.facts.chooses},
+              {"rates", said.pace.task.facts.rates},
+              {"slides", said.pace.task.facts.slides}}}}}};
 }
 
-TEST(WebVisit, TheSameEventsLeadThroughTheSameScreensAsInTheWindow) {
-  if (test::run_program("node", "--version").status != 0) GTEST_SKIP() << "no node";
+/// Of each trial that the page plans.
+Json briefings_json(const VisitScript& said) {
+  Json blocks = Json::array();
+  for (int i = 0; said.pace.briefed && i < trial_count; ++i)
+    blocks.push_back(said.pace.briefed->at(static_cast<std::size_t>(10 + i)));
+  return blocks;
+}
+
+/// Hammered visits of a script, replayed in the page; how many came to their end.
+int replay_visits(const VisitScript& said, const std::string& name) {
   Random random(2024);
   Json visits = Json::array();
   int thanks = 0;
   for (int run = 0; run < 40; ++run) {
-    Visit visit = begin_visit(shared(script()));
+    Visit visit = begin_visit(shared(said));
     Json steps = Json::array();
     std::int64_t now_ns = 0;
     for (int i = 0; i < 8000 && !is_over(visit); ++i) {
@@ -195,15 +227,28 @@ TEST(WebVisit, TheSameEventsLeadThroughTheSameScreensAsInTheWindow) {
     thanks += on<ThanksScreen>(visit) ? 1 : 0;
     visits.push_back(std::move(steps));
   }
-  EXPECT_GT(thanks, 10) << "most visits come to their end";
-  const auto folder = test::fresh_folder("web-visits");
-  test::write_text(folder / "visits.json",
-                   Json{{"script", script_json()}, {"trials", trial_count}, {"visits", visits}}.dump());
+  const auto folder = test::fresh_folder(name);
+  test::write_text(folder / "visits.json", Json{{"script", script_json(said)},
+                                                {"trials", trial_count},
+                                                {"briefings", briefings_json(said)},
+                                                {"visits", visits}}
+                                               .dump());
   const std::string source = SEAMLINE_SOURCE_DIR;
   const test::Outcome outcome =
       test::run_program("node", source + "/tests/online/replay.mjs " + source + "/study/online/page/web " +
                                     (folder / "visits.json").string());
   EXPECT_EQ(outcome.status, 0) << outcome.output.substr(0, 2000);
+  return thanks;
+}
+
+TEST(WebVisit, TheSameEventsLeadThroughTheSameScreensAsInTheWindow) {
+  if (test::run_program("node", "--version").status != 0) GTEST_SKIP() << "no node";
+  EXPECT_GT(replay_visits(script(), "web-visits"), 10) << "most visits come to their end";
+}
+
+TEST(WebVisit, BlocksWithInstructionsAndSlidersAreThoseOfTheWindow) {
+  if (test::run_program("node", "--version").status != 0) GTEST_SKIP() << "no node";
+  EXPECT_GT(replay_visits(briefed_script(), "web-visits-briefed"), 10);
 }
 
 TEST(WebVisit, ThePagesOwnPartsKeepTheirLaws) {

@@ -55,14 +55,19 @@ TEST(StudyFileTask, ChanceFollowsFromTheAlternatives) {
 
 TEST(StudyFileTask, EveryKeyIsPartOfTheHash) {
   std::set<std::string> hashes;
-  const std::vector<std::string> tasks = {"",
-                                          "[task]\nkind = \"object\"\nrepetitions = 2\n",
-                                          "[task]\nkind = \"pair\"\n",
-                                          "[task]\nkind = \"pair\"\nsecond_question = true\n",
-                                          "[task]\nkind = \"pair\"\nexposure_s = 1\n",
-                                          "[task]\nkind = \"interval\"\n",
-                                          "[task]\nkind = \"interval\"\ngap_s = 1\n",
-                                          "[task]\nkind = \"interval\"\npictures = 3\n"};
+  std::vector<std::string> tasks = {"",
+                                    "[task]\nkind = \"object\"\nrepetitions = 2\n",
+                                    "[task]\nkind = \"pair\"\n",
+                                    "[task]\nkind = \"pair\"\nsecond_question = true\n",
+                                    "[task]\nkind = \"pair\"\nexposure_s = 1\n",
+                                    "[task]\nkind = \"interval\"\n",
+                                    "[task]\nkind = \"interval\"\ngap_s = 1\n",
+                                    "[task]\nkind = \"interval\"\npictures = 3\n"};
+  tasks.insert(tasks.end(), {"[task]\nkind = \"interval\"\nmask = \"noise\"\n",
+                             "[task]\nkind = \"interval\"\nmask = \"scrambled\"\n",
+                             "[task]\nkind = \"interval\"\nmask = \"noise\"\nmask_s = 0.2\n",
+                             "[task]\nkind = \"rating\"\n[catch]\nreference = 9\n",
+                             "[task]\nkind = \"rating\"\nscale = \"slider\"\n[catch]\nreference = 9\n"});
   for (const std::string& task : tasks) hashes.insert(study_hash(study_with_task(task)));
   const std::vector<std::string> stairs = {"", "[staircase]\ndown = 3\n", "[staircase]\nup = 2\n",
                                            "[staircase]\nstart = [64]\n", "[staircase]\nby_object = true\n"};
@@ -137,6 +142,16 @@ TEST(StudyFileTask, TheTextOfAStudySaysItsTaskAlone) {
   EXPECT_EQ(read_task_text(test::study_of_no_files("", ""), "a log"), nullptr);
 }
 
+TEST(StudyFileTask, ASliderHasTwoOrFiveLabelsAndSaysHowItIsMoved) {
+  const std::string slider = "[catch]\nreference = 9\n[task]\nkind = \"rating\"\nscale = \"slider\"\n";
+  const StudyDefinition five = study_with_task(slider);
+  EXPECT_TRUE(facts_of(five.task.get()).slides);
+  EXPECT_EQ(five.task->labels, impairment_labels());
+  EXPECT_THAT(phrase_text(five.texts, Phrase::rating_hint), HasSubstr("arrow keys"));
+  EXPECT_EQ(study_with_task(slider + "labels = [\"none\", \"all\"]\n").task->labels.size(), 2U);
+  EXPECT_THAT(complaint_of_task(slider + "labels = [\"a\", \"b\", \"c\"]\n"), HasSubstr("two or five"));
+}
+
 TEST(StudyFileTask, TheStudysOwnWordsStay) {
   EXPECT_THAT(study_with_task("[task]\nkind = \"pair\"\n").session.question, HasSubstr("two pictures"));
   EXPECT_EQ(study_with_task("[task]\nkind = \"pair\"\n[session]\nquestion = \"Which?\"\n").session.question,
@@ -160,6 +175,12 @@ TEST(StudyFileTask, RefusesWhatTheTaskCannotGive) {
       complaint_of_task("[task]\nkind = \"yes_no\"\nsecond_question = false\n[catch]\nreference = 9\n"),
       HasSubstr("task.second_question"));
   EXPECT_THAT(complaint_of_task("[task]\nkind = \"yes_no\"\n"), HasSubstr("catch.reference"));
+  EXPECT_THAT(complaint_of_task("[task]\nkind = \"pair\"\nmask = \"noise\"\n"), HasSubstr("exposure_s = 0"));
+  EXPECT_THAT(complaint_of_task("[task]\nkind = \"interval\"\nmask = \"noise\"\nmask_s = 0.6\n"),
+              HasSubstr("at most gap_s"));
+  EXPECT_THAT(complaint_of_task("[task]\nkind = \"interval\"\nmask_s = 0.1\n"), HasSubstr("task.mask_s"));
+  EXPECT_THAT(complaint_of_task("[task]\nkind = \"object\"\nmask = \"noise\"\n"), HasSubstr("task.mask"));
+  EXPECT_THAT(complaint_of_task("[task]\nkind = \"pair\"\nscale = \"slider\"\n"), HasSubstr("task.scale"));
   EXPECT_THAT(
       complaint_of_task("[task]\nkind = \"rating\"\nlabels = [\"a\", \"b\"]\n[catch]\nreference = 9\n"),
       HasSubstr("task.labels"));

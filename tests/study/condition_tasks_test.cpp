@@ -7,6 +7,8 @@
 #include <string>
 
 #include "stimuli/definition/looks/condition_tasks.h"
+#include "stimuli/definition/people/language_definition.h"
+#include "stimuli/study_file/people/study_file_language.h"
 #include "stimuli/study_file/study_file.h"
 #include "study/log/log.h"
 #include "study/running/simulation.h"
@@ -90,9 +92,34 @@ TEST_F(ConditionTasks, WhatCannotStandBesideItIsRefused) {
               HasSubstr("\"constant\" beside a [condition.task]"));
   EXPECT_THAT(complaint("[[condition]]\nname = \"a\"\n[condition.task]\nkind = \"pair\"\n"),
               HasSubstr("one condition"));
-  EXPECT_THAT(complaint(two + "[condition.task]\nkind = \"pair\"\n[[language]]\ntag = \"de\"\ntexts = "
-                              "\"builtin:de\"\n"),
-              HasSubstr("language"));
+  EXPECT_THAT(complaint("[[condition]]\nname = \"a\"\ninstructions = \"Now look twice.\"\n"),
+              HasSubstr("task.blocks"));
+}
+
+TEST_F(ConditionTasks, InAnotherLanguageEachConditionAsksInItsWords) {
+  std::string tables = three_tasks;
+  const std::string seen = "name = \"seen\"\n";
+  tables.insert(tables.find(seen) + seen.size(), "instructions = \"Say what you see.\"\n");
+  const StudyDefinition study =
+      set_with(tables + "[[language]]\ntag = \"de\"\ntexts = \"builtin:de\"\n").study;
+  const StudyTexts german = read_study_texts(study, study.languages->languages.front());
+  const StudyDefinition read = in_language(study, german);
+  const auto asked = [&](const std::string& condition) {
+    return asked_texts(read, task_of(read, condition).get());
+  };
+  EXPECT_THAT(asked("object").question, HasSubstr("drei Objekte"));
+  EXPECT_THAT(asked("object").hint, HasSubstr("drücken Sie"));
+  EXPECT_EQ(task_of(read, "seen")->answers, (std::vector<std::string>{"Ja", "Nein"}));
+  EXPECT_THAT(asked("seen").hint, HasSubstr("drücken Sie 1 oder 2"));
+  EXPECT_EQ(asked("seen").question, "Is anything wrong here?");  // the study's own words
+  const std::vector<std::string> missing = missing_texts(study, german);
+  for (const char* key :
+       {"condition.seen.question", "condition.seen.instructions", "condition.interval.hint"})
+    EXPECT_THAT(missing, testing::Contains(key));  // three pictures: no draft says so
+  EXPECT_THAT(missing, testing::Not(testing::Contains("condition.seen.answers")));
+  const std::string printed = texts_to_translate(study, german);
+  EXPECT_THAT(printed, HasSubstr("[[condition]]\nname = \"seen\"\n# to translate\ninstructions = \"Say what "
+                                 "you see.\"\n# to translate\nquestion = \"Is anything wrong here?\"\n"));
 }
 
 TEST_F(ConditionTasks, ConditionsStandInBlocksAndCatchTrialsAskWhatStandsAroundThem) {

@@ -1,9 +1,12 @@
 // A session of tasks other than the paper's: the same pure function, other phases.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <numeric>
+#include <string>
 #include <vector>
 
 #include "study/trials/right_rule.h"
@@ -110,6 +113,50 @@ TEST(TaskSession, ExposuresEndWhileTheAnswerIsAwaited) {
   EXPECT_FALSE(is_picture_seen(brief, 1000, 1500));
   EXPECT_TRUE(is_picture_seen({}, 1000, 1'000'000'000));
   EXPECT_FALSE(is_picture_seen({.facts = facts_of_kind(TaskKind::interval)}, 0, 1));
+}
+
+TEST(TaskSession, ASlidersPlaceIsANumberAndItsFifthTheRating) {
+  const TaskDefinition slider{.kind = TaskKind::rating, .second_question = false, .slider = true};
+  const Session rating = next(task_session_of(facts_of(&slider)), ImageShown{.now_ns = 0});
+  for (const int outside : {-1, 101})
+    EXPECT_TRUE(in_task_phase<Rating>(next(rating, RatingGiven{.now_ns = 50, .position = outside})));
+  for (int position = 0; position <= 100; ++position) {
+    const Session stored = next(rating, RatingGiven{.now_ns = 50, .position = position});
+    ASSERT_TRUE(in_task_phase<Storing>(stored));
+    const TrialAnswer& answer = std::get<Storing>(stored.phase).answer;
+    EXPECT_EQ(answer.position, position);
+    EXPECT_EQ(answer.chosen_index == 1 ? answer.rating : 0, std::min(4, position / 20)) << position;
+  }
+}
+
+TEST(TaskSession, AMaskCoversWhatFollowsAnExposureForItsTime) {
+  const SessionTask masked{.exposure_ns = 500, .mask_ns = 100};
+  EXPECT_FALSE(is_mask_seen(masked, 1000, 1499));
+  EXPECT_TRUE(is_mask_seen(masked, 1000, 1500));
+  EXPECT_TRUE(is_mask_seen(masked, 1000, 1599));
+  EXPECT_FALSE(is_mask_seen(masked, 1000, 1600));
+  EXPECT_FALSE(is_mask_seen({.exposure_ns = 500}, 1000, 1500));
+}
+
+TEST(TaskSession, ABlockWithWordsOfItsOwnBeginsWithThemAndABreakComesFirst) {
+  ConstantProcedure procedure{.order = {0, 1, 2, 3, 4}};
+  const SessionPace pace{.break_every_trials = 2,
+                         .briefed = std::make_shared<const std::vector<int>>(std::vector{0, 0, 1, -1, 1})};
+  Session session = begin_session({.procedure = procedure}, pace);
+  std::vector<std::string> met;
+  for (int i = 0; i < 100 && !in_task_phase<Done>(session); ++i) {
+    if (in_task_phase<OnBreak>(session)) met.emplace_back("break");
+    if (in_task_phase<Briefing>(session)) met.emplace_back("words");
+    if (in_task_phase<Storing>(session)) met.emplace_back("trial");
+    session = after_task_events(
+        session, {in_task_phase<OnBreak>(session) || in_task_phase<Briefing>(session) ? Event(BreakEnded{})
+                  : in_task_phase<AwaitingImage>(session)                             ? Event(ImageShown{})
+                  : in_task_phase<Choosing>(session) ? Event(ObjectChosen{.index = 1})
+                  : in_task_phase<Rating>(session)   ? Event(RatingGiven{.rating = 1})
+                                                     : Event(AnswerStored{})});
+  }
+  EXPECT_EQ(met, (std::vector<std::string>{"words", "trial", "trial", "break", "words", "trial", "trial",
+                                           "break", "words", "trial"}));
 }
 
 TEST(RightRule, EveryAlternativeIsRightEquallyOftenAndTheSameAgain) {

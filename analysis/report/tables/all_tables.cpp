@@ -10,6 +10,7 @@
 #include "analysis/report/tables/psychometric_tables.h"
 #include "analysis/report/tables/replication_tables.h"
 #include "analysis/report/tables/scenes_tables.h"
+#include "study/exchange/exposure_records.h"
 #include "study/running/staircase_results.h"
 
 namespace seamline::analysis {
@@ -24,6 +25,7 @@ std::vector<CsvTable> all_tables(const Analysis& analysis, const ReportNumbers& 
     tables.push_back(std::move(table));
   if (study::has_staircases(analysis.log)) tables.push_back(staircases_table(analysis, numbers));
   if (!numbers.detection.rows.empty()) tables.push_back(signal_detection_table(numbers));
+  if (study::has_slider(analysis.log)) tables.push_back(slider_table(analysis, numbers));
   for (CsvTable& table : joint_tables(analysis, numbers)) tables.push_back(std::move(table));
   for (CsvTable& table : scenes_tables(analysis, numbers)) tables.push_back(std::move(table));
   for (CsvTable& table : checks_tables(analysis)) tables.push_back(std::move(table));

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "analysis/by_task/slider_means.h"
 #include "analysis/report/tables/table_columns.h"
 #include "analysis/scores/level_words.h"
 
@@ -171,6 +172,29 @@ CsvTable signal_detection_table(const ReportNumbers& numbers) {
                           whole(row.people), row.hits, numbers.detection.false_alarms, row.d_prime,
                           finite(row.d_prime_ci95.low), finite(row.d_prime_ci95.high), row.criterion,
                           finite(row.criterion_ci95.low), finite(row.criterion_ci95.high)});
+  }
+  add_conditions(table, numbers.conditions, conditions);
+  return table;
+}
+
+CsvTable slider_table(const Analysis& analysis, const ReportNumbers& numbers) {
+  std::vector<std::string> conditions;
+  CsvTable table{
+      .name = "slider",
+      .columns = {artifact_column,
+                  level_column(numbers.axis),
+                  {"participants", "count", "with an answer at the level"},
+                  {"answers", "count", "theirs"},
+                  {"place", "0 to 100", "mean over participants of their mean place of the slider"},
+                  {"low", "0 to 100", "lower end of its 95 % interval over participants"},
+                  {"high", "0 to 100", "upper end of it"},
+                  source_column},
+      .rows = {}};
+  for (const SliderMean& row : slider_means(analysis)) {
+    conditions.push_back(row.condition);
+    table.rows.push_back({std::string(word(row.artifact)), level_value(numbers.axis, row.level),
+                          whole(row.people), whole(row.answers), row.place.mean, finite(row.place.ci95.low),
+                          finite(row.place.ci95.high), source_text(analysis)});
   }
   add_conditions(table, numbers.conditions, conditions);
   return table;

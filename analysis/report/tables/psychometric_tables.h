@@ -14,4 +14,7 @@ namespace seamline::analysis {
 /// signal_detection.csv: d' and criterion at each level, of a task that asks for yes or no.
 [[nodiscard]] CsvTable signal_detection_table(const ReportNumbers& numbers);
 
+/// slider.csv: where the slider of a rating stood at each level.
+[[nodiscard]] CsvTable slider_table(const Analysis& analysis, const ReportNumbers& numbers);
+
 }  // namespace seamline::analysis

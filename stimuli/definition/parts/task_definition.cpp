@@ -36,7 +36,12 @@ TaskFacts facts_by_kind(const TaskDefinition* task) {
     case TaskKind::yes_no:
       return {.kind = kind, .alternatives = 2, .chance = 0, .right_is_yes = true, .rates = false};
     case TaskKind::rating:
-      return {.kind = kind, .alternatives = 2, .chance = 0, .right_is_yes = true, .chooses = false};
+      return {.kind = kind,
+              .alternatives = 2,
+              .chance = 0,
+              .right_is_yes = true,
+              .chooses = false,
+              .slides = task->slider};
     case TaskKind::match:
       return {.kind = kind, .alternatives = 3, .chance = 0, .rates = false};
   }
@@ -49,6 +54,7 @@ TaskFacts facts_of(const TaskDefinition* task) {
   if (task == nullptr) return {};
   TaskFacts facts = facts_by_kind(task);
   facts.objects = task->objects;
+  facts.masks = task->mask != TaskMask::none;
   return facts;
 }
 
@@ -162,11 +168,14 @@ TaskTexts usual_texts(const TaskDefinition& task) {
               .answers = {"Yes", "No"}};
     case TaskKind::rating:
       return {.question = "How do you judge this picture?",
-              .hint = "Click an answer, or press 1, 2, 3, 4 or 5",
+              .hint = task.slider ? "Click the line or press the arrow keys, then Enter"
+                                  : "Click an answer, or press 1, 2, 3, 4 or 5",
               .instructions = inserted +
-                              "Judge each picture: click one of the five answers, or press 1 to 5. In some "
-                              "pictures nothing was inserted." +
-                              end,
+                              (task.slider ? "Judge each picture: click a place on the line below it, or go "
+                                             "there with the arrow keys, then press Enter. In some "
+                                           : "Judge each picture: click one of the five answers, or press 1 "
+                                             "to 5. In some ") +
+                              "pictures nothing was inserted." + end,
               .feedback_right = "Something was inserted into this picture.",
               .feedback_wrong = "Something was inserted into this picture."};
     case TaskKind::match:

@@ -25,6 +25,22 @@ inline constexpr std::array<TaskKind, 6> every_task_kind = {TaskKind::object,   
                                                             TaskKind::rating,   TaskKind::match};
 [[nodiscard]] std::string_view word(TaskKind kind);
 
+/// What covers the place of a picture once its exposure ends.
+enum class TaskMask {
+  none,
+  noise,     ///< squares of random grey
+  scrambled  ///< squares of the scene's reference, in another order
+};
+
+[[nodiscard]] std::string word(TaskMask mask);
+
+/// Where a slider can stand, from nothing seen to most noticeable. Its fifths are the five labels of a
+/// rating, as on the continuous scale of ITU-R BT.500.
+inline constexpr int slider_end = 100;
+[[nodiscard]] constexpr int rating_at(int position) {
+  return position * 5 / slider_end < 4 ? position * 5 / slider_end : 4;
+}
+
 /// Objects of a scene: those of a study that does not say how many, and at most.
 inline constexpr int usual_objects = 3, most_objects_of_scene = 8;
 
@@ -42,11 +58,14 @@ struct TaskDefinition {
   int pictures = 2;             ///< interval: shown one after another, 2 or 3
   double exposure_s = 0;        ///< how long a picture is seen; 0: until the answer (never of `interval`)
   double gap_s = 0.5;           ///< interval: grey between two pictures
+  TaskMask mask = TaskMask::none;
+  double mask_s = 0.1;          ///< from the end of each exposure; of the gap that it begins, too
   bool second_question = true;  ///< after the choice: how noticeable was it? Never of yes_no and rating
   /// What the alternatives are called, below the picture; of `rating` and the usual three objects none, of
   /// another number of objects what screen readers and practice call them. Can be edited in a set.
   std::vector<std::string> answers = {};
-  std::vector<std::string> labels = {};  ///< rating: five, from nothing seen to most noticeable
+  std::vector<std::string> labels = {};  ///< rating: five (of a slider also two), from nothing seen on
+  bool slider = false;                   ///< rating: a place on a line in place of a label
   /// How often each stimulus is shown to a participant; of `match` each object in each condition.
   int repetitions = 1;
   bool blocks = false;  ///< trials of a condition follow each other, conditions in a balanced Latin square
@@ -68,6 +87,8 @@ struct TaskFacts {
   bool right_is_yes = false;  ///< the first alternative is right wherever something was inserted
   bool chooses = true;        ///< there is a choice
   bool rates = true;          ///< there is a rating
+  bool slides = false;        ///< the rating is a place on a line, 0 to `slider_end`
+  bool masks = false;         ///< a mask follows each picture
 
   /// One of three objects is chosen, then rated.
   [[nodiscard]] bool is_papers() const {

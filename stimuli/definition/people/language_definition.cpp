@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 #include "stimuli/definition/parts/task_definition.h"
 
@@ -40,6 +41,54 @@ void list_missing_of_form(const std::vector<FormField>& form, const StudyTexts& 
 
 }  // namespace
 
+namespace {
+
+constexpr std::array<std::string AskedTexts::*, 5> asked_words = {
+    &AskedTexts::question, &AskedTexts::hint, &AskedTexts::rating_hint, &AskedTexts::feedback_right,
+    &AskedTexts::feedback_wrong};
+constexpr std::array<const char*, 5> asked_keys = {"question", "hint", "rating_hint", "feedback_right",
+                                                   "feedback_wrong"};
+
+void list_missing_of_conditions(const StudyDefinition& study, const StudyTexts& texts,
+                                std::vector<std::string>& missing) {
+  for (const ConditionDefinition& condition : study.conditions) {
+    const auto found = texts.conditions.find(condition.name);
+    const ConditionTexts known = found == texts.conditions.end() ? ConditionTexts{} : found->second;
+    const auto want = [&](const std::string& key, bool is_missing) {
+      if (is_missing) missing.push_back("condition." + condition.name + "." + key);
+    };
+    want("instructions", !condition.instructions.empty() && known.instructions.empty());
+    if (!condition.task) continue;
+    for (std::size_t i = 0; i < asked_words.size(); ++i)
+      want(asked_keys[i],
+           !(condition.task->own.*asked_words[i]).empty() && (known.own.*asked_words[i]).empty());
+    want("answers", known.answers.size() != condition.task->answers.size());
+    want("labels", known.labels.size() != condition.task->labels.size());
+  }
+}
+
+ConditionDefinition in_language(ConditionDefinition condition, const StudyTexts& texts) {
+  const auto found = texts.conditions.find(condition.name);
+  if (found == texts.conditions.end()) return condition;
+  const ConditionTexts& known = found->second;
+  replace(condition.instructions, known.instructions);
+  if (!condition.task) return condition;
+  TaskDefinition task = *condition.task;
+  for (const auto word : asked_words) replace(task.own.*word, known.own.*word);
+  if (known.answers.size() == task.answers.size()) task.answers = known.answers;
+  if (known.labels.size() == task.labels.size()) task.labels = known.labels;
+  condition.task = std::make_shared<const TaskDefinition>(std::move(task));
+  return condition;
+}
+
+}  // namespace
+
+std::vector<AskedKey> every_asked_key() {
+  std::vector<AskedKey> keys;
+  for (std::size_t i = 0; i < asked_words.size(); ++i) keys.push_back({asked_keys[i], asked_words[i]});
+  return keys;
+}
+
 std::span<const PageText> every_language_text() {
   return language_texts;
 }
@@ -61,6 +110,7 @@ std::vector<std::string> missing_texts(const StudyDefinition& study, const Study
          i < texts.instructions.size() ? texts.instructions[i] : "");
   if (study.task && texts.answers.size() != study.task->answers.size()) missing.emplace_back("task.answers");
   if (study.task && texts.labels.size() != study.task->labels.size()) missing.emplace_back("task.labels");
+  list_missing_of_conditions(study, texts, missing);
   want("training.feedback_right", study.training.feedback_right, texts.feedback_right);
   want("training.feedback_wrong", study.training.feedback_wrong, texts.feedback_wrong);
   for (const PhraseEntry& entry : every_phrase())
@@ -93,6 +143,7 @@ StudyDefinition in_language(const StudyDefinition& study, const StudyTexts& text
     if (texts.labels.size() == task->labels.size()) task->labels = texts.labels;
     read.task = task;
   }
+  for (ConditionDefinition& condition : read.conditions) condition = in_language(condition, texts);
   if (study.recruitment) {
     auto recruitment = std::make_shared<RecruitmentDefinition>(*study.recruitment);
     for (const PageText& entry : every_recruitment_text())

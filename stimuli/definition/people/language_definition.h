@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "stimuli/definition/parts/task_definition.h"
 #include "stimuli/definition/people/recruitment_definition.h"
 #include "stimuli/definition/study_definition.h"
 
@@ -35,6 +36,20 @@ struct FormFieldTexts {
   std::vector<std::string> options = {};
 };
 
+/// What a condition says before its block, and where its own task asks in words of its own.
+struct ConditionTexts {
+  std::string instructions = {};
+  AskedTexts own = {};
+  std::vector<std::string> answers = {}, labels = {};
+};
+
+/// The words of a condition's own task, by their keys in a file of texts.
+struct AskedKey {
+  std::string key;
+  std::string AskedTexts::*word;
+};
+[[nodiscard]] std::vector<AskedKey> every_asked_key();
+
 /// What is known of a study's texts in one language; empty or none: not translated.
 struct StudyTexts {
   std::string tag;
@@ -45,7 +60,8 @@ struct StudyTexts {
   std::map<std::string, FormFieldTexts> form = {};  ///< by the field's name
   std::vector<std::string> instructions = {};       ///< a text a page
   std::string feedback_right = {}, feedback_wrong = {};
-  std::vector<std::string> answers = {}, labels = {};  ///< of [task]
+  std::vector<std::string> answers = {}, labels = {};     ///< of [task]
+  std::map<std::string, ConditionTexts> conditions = {};  ///< by name
   InterfaceTexts texts = {};
   std::map<std::string, std::string> page_texts = {};  ///< of [recruitment] and of several languages
 };

@@ -13,8 +13,24 @@ std::string fault_of_exposure(const TaskDefinition& task) {
                                                                           : "";
 }
 
+std::string fault_of_mask(const TaskDefinition& task) {
+  return task.mask != TaskMask::none && task.exposure_s <= 0
+             ? "\"none\" beside exposure_s = 0: a mask follows an exposure that ends"
+             : "";
+}
+
+std::string fault_of_mask_time(const TaskDefinition& task) {
+  return task.kind == TaskKind::interval && task.mask != TaskMask::none && task.mask_s > task.gap_s
+             ? "at most gap_s, because the mask is the beginning of the gap"
+             : "";
+}
+
 std::string_view word(TaskKind kind) {
   return word_of(kind);
+}
+
+std::string word(TaskMask mask) {
+  return std::string(word_of(mask));
 }
 
 std::string canonical_text(const StaircaseDefinition& definition) {

@@ -8,11 +8,16 @@ namespace seamline::inline stimuli {
 template <>
 inline constexpr std::array<std::string_view, 6> words_of<TaskKind> = {"object", "pair",   "interval",
                                                                        "yes_no", "rating", "match"};
+template <>
+inline constexpr std::array<std::string_view, 3> words_of<TaskMask> = {"none", "noise", "scrambled"};
+inline constexpr std::array<std::string_view, 2> words_of_scales = {"labels", "slider"};
 inline constexpr std::array<std::string_view, 2> words_of_blocks = {"", "condition"};
 inline constexpr std::array<std::string_view, 2> words_of_asks = {"which", "same"};
 
 [[nodiscard]] std::string fault_of_objects(const TaskDefinition& task);
 [[nodiscard]] std::string fault_of_exposure(const TaskDefinition& task);
+[[nodiscard]] std::string fault_of_mask(const TaskDefinition& task);
+[[nodiscard]] std::string fault_of_mask_time(const TaskDefinition& task);
 
 /// `[task]`. What `kind` changes of the defaults is set by study_file_task.cpp.
 template <>
@@ -77,6 +82,37 @@ inline constexpr auto settings_of<TaskDefinition> = std::to_array<Setting<TaskDe
      .wording = {.before = " gap ", .after = "\n", .written = Written::where_used},
      .changes = Changes::presentation,
      .of_condition = false},
+    {.key = "mask",
+     .slot = choice<&TaskDefinition::mask>(),
+     .meaning =
+         "What covers a picture's place once its exposure ends, the last one's too: `noise` is squares "
+         "of 4 pixels in random grey, `scrambled` squares of 16 pixels of the reference in a random "
+         "order. Drawn by the study's seed, one a scene.",
+     .beside = {"kind",
+                {"pair", "interval", "yes_no", "rating"},
+                R"(kind = "pair", "interval", "yes_no" or "rating" where it is set)"},
+     .wording = {.before = "task mask ", .written = Written::where_unusual},
+     .changes = Changes::presentation,
+     .of_condition = false,
+     .fault = fault_of_mask},
+    {.key = "mask_s",
+     .slot = &TaskDefinition::mask_s,
+     .range = {0.01, 10, "s"},
+     .meaning =
+         "How long the mask is seen, in whole frames. Of `interval` it takes the beginning of `gap_s`.",
+     .beside = {"mask", {"noise", "scrambled"}, R"(mask = "noise" or "scrambled" where it is set)"},
+     .wording = {.before = " for ", .after = " s\n", .written = Written::where_used},
+     .changes = Changes::presentation,
+     .of_condition = false,
+     .fault = fault_of_mask_time},
+    {.key = "scale",
+     .slot = one_of<&TaskDefinition::slider, false, true>(words_of_scales),
+     .meaning = "Five labels, or a line with a place from 0 to 100 on it. Its fifths count as the five "
+                "labels; the number stands in the exported tables and in `slider.csv` of the report.",
+     .beside = {"kind", {"rating"}, R"(kind = "rating" where it is set)"},
+     .wording = {.before = "task scale ", .after = "\n", .written = Written::where_unusual},
+     .changes = Changes::presentation,
+     .of_condition = false},
     {.key = "asks",
      .slot = one_of<&TaskDefinition::same, false, true>(words_of_asks),
      .meaning = "Which of the two holds the insertion; or whether the right picture is the same as its "
@@ -95,7 +131,8 @@ inline constexpr auto settings_of<TaskDefinition> = std::to_array<Setting<TaskDe
      .usual = "English"},
     {.key = "labels",
      .slot = &TaskDefinition::labels,
-     .meaning = "Labels of `rating`, from nothing seen to most noticeable.",
+     .meaning =
+         "Labels of `rating`, from nothing seen to most noticeable. Of a slider also two, at its ends.",
      .wording = {.before = "task label ", .after = "\n"},
      .changes = Changes::presentation,
      .is_read_apart = true,

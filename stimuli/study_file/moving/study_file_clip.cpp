@@ -207,7 +207,6 @@ void check_clip(const TomlTable& table, const StudyDefinition& study) {
   for (const ConditionDefinition& condition : list_conditions(study))
     if (const auto why = refusal_of(condition, level))
       throw table.complaint(why->key, why->wanted, why->found);
-  if (study.task) throw table.complaint("task", "the task \"object\" in a study with [clip]", "another one");
   if (study.look) throw table.complaint("look", "one fixed view in a study with [clip]", "[look]");
   if (is_panorama(study))
     throw table.complaint("scene.camera.projection", "\"perspective\" in a study with [clip]",

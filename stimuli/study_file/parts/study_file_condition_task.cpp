@@ -91,7 +91,6 @@ void set_up_own_tasks(const TomlTable& study, StudyDefinition& definition) {
   if (definition.task && definition.task->staircase) refuse("procedure", "\"constant\"", "\"staircase\"");
   if (facts_of(definition.task.get()).adjusts())
     refuse("task.kind", "a task with right answers", "\"match\"");
-  if (definition.languages) refuse("language", "one language", "a table [[language]]");
   if (definition.clip) refuse("clip", "stills", "a table [clip]");
   if (study.has("instructions")) return;
   std::vector<InstructionPage> pages;

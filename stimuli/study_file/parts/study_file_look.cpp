@@ -122,9 +122,6 @@ std::shared_ptr<const LookDefinition> read_look(const TomlTable& settings,
 void check_looks(const TomlTable& study_table, const StudyDefinition& study) {
   const auto has_panorama = [](const SceneDefinition& scene) { return is_panorama(scene); };
   const bool panoramas = std::any_of(study.scenes.begin(), study.scenes.end(), has_panorama);
-  if (panoramas && study.task)
-    throw study_table.complaint("task", "the task \"object\" in a study of panoramas, and no table [task]",
-                                "a table [task]");
   if (panoramas && study.languages && comfort_asked(study) != nullptr)
     throw study_table.complaint("look.comfort_question", "a study in one language, because it has one text",
                                 "a table [[language]]");

@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "stimuli/definition/looks/condition_tasks.h"
 #include "stimuli/definition/parts/staircase_definition.h"
 #include "stimuli/definition/parts/task_definition.h"
 #include "stimuli/settings/people/task_settings.h"
@@ -16,12 +17,15 @@
 namespace seamline::inline stimuli {
 namespace {
 
-std::vector<std::string> read_task_labels(const TomlTable& task) {
+std::vector<std::string> read_task_labels(const TomlTable& task, bool slider) {
   if (!task.has("labels")) return impairment_labels();
   std::vector<std::string> labels = task.texts("labels");
   const std::set<std::string> different(labels.begin(), labels.end());
-  if (labels.size() != 5 || different.size() != 5 || different.contains(""))
-    throw task.complaint("labels", "five texts that differ, from nothing seen to most noticeable",
+  const bool so_many = labels.size() == 5 || (slider && labels.size() == 2);
+  if (!so_many || different.size() != labels.size() || different.contains(""))
+    throw task.complaint("labels",
+                         std::string(slider ? "two or five" : "five") +
+                             " texts that differ, from nothing seen to most noticeable",
                          fmt::format("{}, {} of them different", labels.size(), different.size()));
   return labels;
 }
@@ -58,7 +62,7 @@ TaskDefinition read_task_table(const TomlTable& table, int usual_number_of_objec
   if (!rates && table.has("labels"))
     throw table.complaint("labels", "kind = \"rating\" where it is set",
                           "kind = \"" + std::string(word(task.kind)) + "\"");
-  if (rates) task.labels = read_task_labels(table);
+  if (rates) task.labels = read_task_labels(table, task.slider);
   task.answers = read_answers(table, task);
   table.finish();
   return task;
@@ -214,18 +218,49 @@ bool is_placed_by_answers(const StudyDefinition& study) {
          (study.task && study.task->staircase);
 }
 
-void check_task_alone(const TomlTable& study, const StudyDefinition& definition) {
-  const auto has_own = [](const ConditionDefinition& condition) { return condition.task != nullptr; };
-  if (!definition.task && std::none_of(definition.conditions.begin(), definition.conditions.end(), has_own))
-    return;
+namespace {
+
+/// One clip plays at a time, and it ends by itself.
+void check_beside_clip(const TomlTable& study, const StudyDefinition& definition) {
+  if (!definition.clip || !definition.task) return;
+  const TaskDefinition& task = *definition.task;
+  if (task.kind == TaskKind::pair || task.kind == TaskKind::interval || task.kind == TaskKind::match)
+    throw study.complaint("task.kind",
+                          "\"object\", \"yes_no\" or \"rating\" beside [clip]: one clip plays at a time",
+                          "\"" + std::string(word(task.kind)) + "\"");
+  if (task.exposure_s > 0)
+    throw study.complaint("task.exposure_s", "0 beside [clip], whose frames say how long it is seen",
+                          fmt::format("{}", task.exposure_s));
+}
+
+/// Arrows, drags and clicks turn the view, and choose what it shows.
+void check_beside_look(const TomlTable& study, const StudyDefinition& definition) {
   bool turns = definition.look != nullptr;
+  for (const ConditionDefinition& condition : definition.conditions) turns = turns || condition.look;
+  if (!turns) return;
+  for (const TaskGroup& group : task_groups(definition))
+    if (const TaskKind kind = facts_of(group.task.get()).kind; kind != TaskKind::object)
+      throw study.complaint("task.kind",
+                            "\"object\" beside [look], in which an object is chosen by looking at it",
+                            "\"" + std::string(word(kind)) + "\"");
+}
+
+}  // namespace
+
+void check_task_alone(const TomlTable& study, const StudyDefinition& definition) {
+  const bool own = has_own_tasks(definition);
+  const bool in_blocks = own || (definition.task && definition.task->blocks);
   for (const ConditionDefinition& condition : definition.conditions)
-    turns = turns || condition.look != nullptr;
+    if (!condition.instructions.empty() && !in_blocks)
+      throw study.complaint("condition.instructions",
+                            "task.blocks = \"condition\" beside it: it is read before a block",
+                            "no blocks, in the condition " + condition.name);
+  if (!definition.task && !own) return;
   if (definition.task && definition.task->blocks && definition.conditions.size() < 2)
     throw study.complaint("task.blocks", "at least two [[condition]] to make blocks of",
                           fmt::format("{}", definition.conditions.size()));
-  if (definition.clip) throw study.complaint("clip", "stills beside a [task]", "a table [clip]");
-  if (turns) throw study.complaint("look", "whole pictures beside a [task]", "a table [look]");
+  check_beside_clip(study, definition);
+  check_beside_look(study, definition);
 }
 
 std::shared_ptr<const TaskDefinition> read_task_text(const std::string& text,

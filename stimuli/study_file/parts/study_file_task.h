@@ -21,8 +21,8 @@ void read_task(const TomlTable& study, StudyDefinition& definition);
 /// Whether the levels of trials follow the answers before them (QUEST+, or staircases).
 [[nodiscard]] bool is_placed_by_answers(const StudyDefinition& study);
 
-/// Throws InputError where a study with a task has clips or views that turn, which no task but the paper's
-/// knows, or blocks of conditions without any. Call it once conditions are read.
+/// Throws InputError where a study asks what its clips, or views that turn, cannot be asked about, has blocks
+/// of conditions without any, or words before blocks that there are not. Call it once conditions are read.
 void check_task_alone(const TomlTable& study, const StudyDefinition& definition);
 
 /// The task of a study file's text, as a log keeps it; null: it names none. Looks at nothing else.

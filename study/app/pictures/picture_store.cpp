@@ -24,7 +24,9 @@ std::size_t slots_of(const RenderedSet& set, const LevelLadders* ladders) {
     bool several = false;
     for (const TaskGroup& group : task_groups(set.study))
       several = several || shows_references(facts_of(group.task.get()));
-    return several ? 6 : 3;
+    bool masked = false;
+    for (const TaskGroup& group : task_groups(set.study)) masked = masked || facts_of(group.task.get()).masks;
+    return (several ? 6U : 3U) + (masked ? 3U : 0U);
   }
   std::size_t longest = 0;
   for (const std::vector<int>& ladder : ladders->ladders) longest = std::max(longest, ladder.size());
@@ -88,8 +90,11 @@ PictureStore::Slot& PictureStore::oldest_slot() {
 }
 
 std::vector<Trial> PictureStore::pictures_of(const Trial& trial) const {
-  return ladders_ ? pictures_of_ladder(*ladders_, trial)
-                  : shown_pictures(facts_of(task_of(set_, trial).get()), trial);
+  if (ladders_) return pictures_of_ladder(*ladders_, trial);
+  const TaskFacts task = facts_of(task_of(set_, trial).get());
+  std::vector<Trial> pictures = shown_pictures(task, trial);
+  if (task.masks) pictures.push_back({.kind = TrialKind::mask, .stimulus = trial.stimulus});
+  return pictures;
 }
 
 const Texture* PictureStore::find(const Trial& trial) const {
@@ -112,15 +117,17 @@ void PictureStore::play(const Trial& trial, std::int64_t now_ns) {
   }
   const std::optional<ByteImage> frame = player_->take(now_ns);
   if (!frame) return;
+  const Trial shown = pictures_of(trial).front();
   for (Slot& slot : slots_)
-    if (slot.trial == trial) slot.texture.upload(*frame);
+    if (slot.trial == shown) slot.texture.upload(*frame);
 }
 
 void PictureStore::end_clip() {
   if (!player_) return;
   player_.reset();
+  const std::optional<Trial> shown = playing_ ? std::optional(pictures_of(*playing_).front()) : std::nullopt;
   for (Slot& slot : slots_)
-    if (slot.trial == playing_) slot.trial.reset();
+    if (slot.trial == shown) slot.trial.reset();
 }
 
 }  // namespace seamline::study::app

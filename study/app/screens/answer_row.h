@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,13 @@ struct AnswerRow {
 /// Draws the row, and returns the answer from 0 that was clicked, or used by Enter or Space; -1: none. Digits
 /// are the caller's: what they mean depends on the question.
 [[nodiscard]] int draw_answer_row(Stage& stage, const Rect& questions, const AnswerRow& row);
+
+/// A line in the strip below a picture, with two labels at its ends or five over its fifths, and a button
+/// that ends it. A press of the mouse or an arrow key gives the slider its first place; arrows move it by 1,
+/// with Shift and by Page Up and Page Down by 10. The place that Enter, Space or the button confirms; none:
+/// not yet.
+[[nodiscard]] std::optional<int> draw_slider(Stage& stage, const Rect& questions,
+                                             const std::vector<std::string>& labels);
 
 /// Whether Enter or Space was pressed anew.
 [[nodiscard]] bool uses_focus(const Stage& stage);

@@ -6,15 +6,15 @@ namespace seamline::study::app {
 
 std::string screen_name(const Screen& screen) {
   return std::visit(
-      Overloaded{[](const ConsentScreen&) { return "consent"; }, [](const FormScreen&) { return "form"; },
-                 [](const DisplayScreen&) { return "display"; },
-                 [](const InstructionScreen&) { return "instructions"; },
-                 [](const TrainingScreen&) { return "training"; },
-                 [](const FeedbackScreen&) { return "feedback"; }, [](const ReadyScreen&) { return "ready"; },
-                 [](const TrialScreen&) { return "trial"; }, [](const BreakScreen&) { return "break"; },
-                 [](const PauseScreen&) { return "pause"; }, [](const ThanksScreen&) { return "thanks"; },
-                 [](const DeclinedScreen&) { return "declined"; },
-                 [](const StoppedScreen&) { return "stopped"; }},
+      Overloaded{
+          [](const ConsentScreen&) { return "consent"; }, [](const FormScreen&) { return "form"; },
+          [](const DisplayScreen&) { return "display"; },
+          [](const InstructionScreen&) { return "instructions"; },
+          [](const TrainingScreen&) { return "training"; }, [](const FeedbackScreen&) { return "feedback"; },
+          [](const ReadyScreen&) { return "ready"; }, [](const TrialScreen&) { return "trial"; },
+          [](const BreakScreen&) { return "break"; }, [](const BriefingScreen&) { return "briefing"; },
+          [](const PauseScreen&) { return "pause"; }, [](const ThanksScreen&) { return "thanks"; },
+          [](const DeclinedScreen&) { return "declined"; }, [](const StoppedScreen&) { return "stopped"; }},
       screen);
 }
 
@@ -24,7 +24,7 @@ std::string phase_name(const Phase& phase) {
                  [](const Viewing&) { return "viewing"; }, [](const Gap&) { return "gap"; },
                  [](const Choosing&) { return "choosing"; }, [](const Rating&) { return "rating"; },
                  [](const Storing&) { return "storing"; }, [](const OnBreak&) { return "break"; },
-                 [](const Done&) { return "done"; }},
+                 [](const Briefing&) { return "briefing"; }, [](const Done&) { return "done"; }},
       phase);
 }
 
@@ -34,9 +34,9 @@ bool is_pausable(const Screen& screen) {
                  [](const DisplayScreen&) { return false; }, [](const InstructionScreen&) { return true; },
                  [](const TrainingScreen&) { return true; }, [](const FeedbackScreen&) { return true; },
                  [](const ReadyScreen&) { return true; }, [](const TrialScreen&) { return true; },
-                 [](const BreakScreen&) { return true; }, [](const PauseScreen&) { return false; },
-                 [](const ThanksScreen&) { return false; }, [](const DeclinedScreen&) { return false; },
-                 [](const StoppedScreen&) { return false; }},
+                 [](const BreakScreen&) { return true; }, [](const BriefingScreen&) { return true; },
+                 [](const PauseScreen&) { return false; }, [](const ThanksScreen&) { return false; },
+                 [](const DeclinedScreen&) { return false; }, [](const StoppedScreen&) { return false; }},
       screen);
 }
 

@@ -69,6 +69,19 @@ Outcome draw(const BreakScreen&, const Visit& visit, Stage& stage) {
   return std::nullopt;
 }
 
+Outcome draw(const BriefingScreen&, const Visit& visit, Stage& stage) {
+  const std::optional<Trial> due = current_trial(visit.session.trials);
+  std::string text;
+  if (due) {
+    const ManifestStimulus& record = stage.set.manifest.stimuli.at(static_cast<std::size_t>(due->stimulus));
+    for (const ConditionDefinition& condition : stage.set.study.conditions)
+      if (condition.name == record.stimulus.condition) text = condition.instructions;
+  }
+  if (draw_page(stage, stage.phrase(Phrase::instructions_title), text, stage.phrase(Phrase::continue_button)))
+    return Continued{};
+  return std::nullopt;
+}
+
 Outcome draw(const PauseScreen&, const Visit&, Stage& stage) {
   Ui& ui = stage.ui;
   ui.begin_card(30);

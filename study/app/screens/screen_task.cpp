@@ -45,6 +45,21 @@ void show_pictures(Stage& stage, const TrialPlace& place, const Trial& trial, in
   }
 }
 
+/// Draws the mask of picture number `after`, from 0.
+void show_mask(Stage& stage, const TrialPlace& place, const Trial& trial, int after) {
+  stage.mask_seen = after;
+  const TaskKind kind = facts_of(task_of(stage.set, trial).get()).kind;
+  const Texture* mask = stage.pictures.find({.kind = TrialKind::mask, .stimulus = trial.stimulus});
+  for (const Rect& rect : trial_pictures(stage, place, kind))
+    if (mask != nullptr) stage.canvas().picture(*mask, rect);
+}
+
+/// What was begun of the answer before.
+void forget_answer(Stage& stage) {
+  stage.drafts.trial_focus = stage.drafts.slider = -1;
+  stage.drafts.slider_held = false;
+}
+
 /// A question with a row of numbered answers below it.
 struct AskedRow {
   const char* id = "";
@@ -110,6 +125,16 @@ Outcome adjust(const TaskTrial& trial) {
   return Event(ObjectChosen{chosen, stage.input.now_ns});
 }
 
+/// A place on a line, in a task with nothing to choose.
+Outcome slide(const TaskTrial& trial) {
+  Stage& stage = trial.stage;
+  draw_question(stage, trial.place, Font::body, trial.texts.question, 0.9);
+  draw_question(stage, trial.place, Font::small, trial.texts.hint, 5.2);
+  const std::optional<int> position = draw_slider(stage, trial.place.questions, trial.task->labels);
+  if (!position) return std::nullopt;
+  return Event(RatingGiven{.now_ns = stage.input.now_ns, .position = *position});
+}
+
 /// The labels of a task with nothing to choose: rating 0 is the first. After a choice, which stands, how
 /// noticeable was it? The first is then rating 1.
 Outcome rate(const TaskTrial& trial, bool after_choice) {
@@ -131,11 +156,14 @@ Outcome ask(const Session& session, const TaskTrial& trial, const Trial& due, st
   Stage& stage = trial.stage;
   const std::int64_t now_ns = monotonic_ns();
   const SessionTask& task = task_due(session);
-  if (is_picture_seen(task, onset_ns, now_ns + next_frame_ns(stage.display)))
+  const std::int64_t seen_ns = now_ns + next_frame_ns(stage.display);
+  if (is_picture_seen(task, onset_ns, seen_ns))
     show_pictures(stage, trial.place, picture_on_screen(session).value_or(due), 0);
+  if (is_mask_seen(task, onset_ns, seen_ns)) show_mask(stage, trial.place, due, task.facts.pictures - 1);
   if (now_ns < onset_ns + session.pace.minimum_viewing_ns) return std::nullopt;
   if (task.facts.adjusts()) return adjust(trial);
   if (std::holds_alternative<Choosing>(session.phase)) return choose_answer(trial);
+  if (task.facts.slides) return slide(trial);
   return rate(trial, task.facts.chooses);
 }
 
@@ -165,16 +193,22 @@ Outcome draw_task_trial(const Session& session, Stage& stage) {
   const TaskTrial trial{stage, trial_place(stage), task_of(stage.set, *due), asked_by(stage, *due)};
   const bool two_eyes = stage.pictures.objects(*due).two_eyes;
   const auto grey = [&]() -> Outcome {
-    stage.drafts.trial_focus = -1;
+    forget_answer(stage);
     draw_fixation(stage, two_eyes);
     return std::nullopt;
   };
   return std::visit(
       Overloaded{[&](const Grey&) -> Outcome { return grey(); },
-                 [&](const Gap&) -> Outcome { return grey(); },
+                 [&](const Gap& phase) -> Outcome {
+                   const std::int64_t since_ns =
+                       monotonic_ns() + next_frame_ns(stage.display) - phase.since_ns;
+                   if (since_ns >= task_due(session).mask_ns) return grey();
+                   show_mask(stage, trial.place, *due, phase.next_picture - 1);
+                   return std::nullopt;
+                 },
                  [&](const AwaitingImage& phase) -> Outcome {
                    if (!pictures_are_ready(stage, *due)) return grey();
-                   stage.drafts.trial_focus = -1;
+                   forget_answer(stage);
                    show_pictures(stage, trial.place, *due, phase.picture);
                    return std::nullopt;
                  },
@@ -186,6 +220,7 @@ Outcome draw_task_trial(const Session& session, Stage& stage) {
                  [&](const Rating& phase) { return ask(session, trial, *due, phase.onset_ns); },
                  [](const Storing&) -> Outcome { return std::nullopt; },
                  [](const OnBreak&) -> Outcome { return std::nullopt; },
+                 [](const Briefing&) -> Outcome { return std::nullopt; },
                  [](const Done&) -> Outcome { return std::nullopt; }},
       session.phase);
 }

@@ -252,6 +252,7 @@ Outcome draw_trial(const Session& session, Stage& stage) {
                             },
                             [](const Storing&) -> Outcome { return std::nullopt; },
                             [](const OnBreak&) -> Outcome { return std::nullopt; },
+                            [](const Briefing&) -> Outcome { return std::nullopt; },
                             [](const Done&) -> Outcome { return std::nullopt; }},
                  session.phase);
   let_go(stage);

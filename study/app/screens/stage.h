@@ -30,6 +30,8 @@ struct Drafts {
   std::string distance_cm;
   bool distance_wrong = false;
   Point mouse_at_onset;  ///< corners follow the mouse once it has moved, not where it happened to rest
+  int slider = -1;       ///< where a slider stands, 0 to `slider_end`; -1: it has no place yet
+  bool slider_held = false;
   int trial_focus = -1;  ///< what the keyboard is on in a trial: ratings 0..3, then objects; -1: nothing
 };
 
@@ -64,6 +66,7 @@ struct Stage {
   std::optional<PanoramaOnScreen> panorama = {};  ///< of the frame that is being made
   std::optional<Trial> trial_drawn = {};  ///< the last one: where conditions ask differently, what it asks
   std::optional<int> picture_seen = {};   ///< in it, of those that a task's trial shows in turn, from 0
+  std::optional<int> mask_seen = {};      ///< the same of the picture whose mask is seen
   double text_scale = 1;                  ///< what the person chose, on top of the study's
   std::vector<std::vector<Texture>> instruction_pictures = {};  ///< by page
   Texture stripes = {};                                         ///< of the gamma pattern
@@ -89,6 +92,7 @@ using Outcome = std::optional<VisitEvent>;
 [[nodiscard]] Outcome draw(const ReadyScreen&, const Visit&, Stage&);
 [[nodiscard]] Outcome draw(const TrialScreen&, const Visit&, Stage&);
 [[nodiscard]] Outcome draw(const BreakScreen&, const Visit&, Stage&);
+[[nodiscard]] Outcome draw(const BriefingScreen&, const Visit&, Stage&);
 [[nodiscard]] Outcome draw(const PauseScreen&, const Visit&, Stage&);
 [[nodiscard]] Outcome draw(const ThanksScreen&, const Visit&, Stage&);
 [[nodiscard]] Outcome draw(const DeclinedScreen&, const Visit&, Stage&);

@@ -24,6 +24,8 @@ std::vector<ShownText> shown_texts(const StudyDefinition& study) {
     for (const std::string& label : task->labels) texts.push_back({table + ".labels", label});
     if (!task->own.question.empty()) texts.push_back({table + ".question", task->own.question});
   }
+  for (const ConditionDefinition& condition : study.conditions)
+    if (!condition.instructions.empty()) texts.push_back({"condition.instructions", condition.instructions});
   for (const FormField& field : study.form) {
     const std::string where = "form." + field.name;
     texts.push_back({where, field.label});

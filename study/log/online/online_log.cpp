@@ -259,7 +259,7 @@ void OnlineLog::append_answer(OnlinePerson& person, const TrialAnswer& answer, d
   LogWriter::Tables& tables = *log_.tables_;
   run(tables.answer, person.place.participant, answer.trial_index, person.place.session, answer.chosen_index,
       answer.rating, answer.choice_ns, answer.rating_ns, image_scale);
-  tables.note_match(person.place.session, answer);
+  tables.note_where(person.place.session, answer);
   run(tables.seen, seen_unix_s, person.place.session);
   person.answered.insert(answer.trial_index);
   person.place.answers.push_back(answer);

@@ -270,6 +270,11 @@ std::vector<Trial> Intake::pictures_of(const Trial& trial) const {
   return shown_pictures(rules_.task_of(trial), trial);
 }
 
+std::optional<Trial> Intake::mask_of(const Trial& trial) const {
+  if (!rules_.task_of(trial).masks) return std::nullopt;
+  return Trial{.kind = TrialKind::mask, .stimulus = trial.stimulus};
+}
+
 std::string Intake::sender_of(const std::string& message_id) {
   const std::optional<KnownMessage> known = log_.message(message_id);
   return known ? known->participant : std::string();

@@ -92,6 +92,9 @@ class Intake {
   /// The pictures that a trial shows, side by side or one after another; one of most tasks.
   [[nodiscard]] std::vector<Trial> pictures_of(const Trial& trial) const;
 
+  /// What covers the pictures of a trial after them; none: nothing does.
+  [[nodiscard]] std::optional<Trial> mask_of(const Trial& trial) const;
+
   /// Numbers of a participant's messages that are missing below the highest stored.
   [[nodiscard]] std::vector<std::int64_t> gaps(const std::string& code);
 

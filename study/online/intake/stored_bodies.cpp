@@ -33,6 +33,7 @@ TrialAnswer answer_of(int index, const PictureAnswer& answer) {
   return {.trial_index = index,
           .chosen_index = answer.chosen_index,
           .rating = answer.rating,
+          .position = answer.position,
           .choice_ns = answer.choice_ns,
           .rating_ns = answer.rating_ns};
 }
@@ -92,10 +93,18 @@ void Intake::store(Person& who, const DisplayBody& body) {
 
 /// A message alone does not say among how many the participant chose.
 void Intake::check_choice(const Trial& planned, const PictureAnswer& answer) const {
-  const int alternatives = rules_.task_of(planned).alternatives;
-  if (answer.chosen_index > alternatives)
-    throw wrong("body.chosen_index", fmt::format("1 to {}", alternatives),
+  const TaskFacts& task = rules_.task_of(planned);
+  if (answer.chosen_index > task.alternatives)
+    throw wrong("body.chosen_index", fmt::format("1 to {}", task.alternatives),
                 std::to_string(answer.chosen_index));
+  if (task.slides != (answer.position >= 0))
+    throw wrong("body.position", task.slides ? "where the slider stood" : "no place of a slider",
+                task.slides ? "nothing" : std::to_string(answer.position));
+  if (!task.slides) return;
+  const int rating = rating_at(answer.position);
+  if (answer.chosen_index != (rating > 0 ? 1 : 2) || answer.rating != std::max(1, rating))
+    throw wrong("body.rating", fmt::format("what place {} of the slider counts as", answer.position),
+                fmt::format("choice {}, rating {}", answer.chosen_index, answer.rating));
 }
 
 void Intake::check_shown(const Trial& planned, const PictureAnswer& answer, const std::string& which) const {
@@ -152,8 +161,9 @@ void Intake::store(Person& who, const AnswerBody& body) {
 }
 
 void Intake::store(Person& who, const EventBody& body) {
-  if (body.kind == "matched")
-    throw wrong("body.kind", "a raw event; where a match stopped comes with its answer", "\"matched\"");
+  if (body.kind == "matched" || body.kind == "slid")
+    throw wrong("body.kind", "a raw event; where a match or a slider stopped comes with its answer",
+                in_quotes(body.kind));
   const RawEvent event{.monotonic_ns = body.monotonic_ns,
                        .kind = body.kind,
                        .trial_index = body.trial_index,

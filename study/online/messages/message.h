@@ -73,6 +73,7 @@ struct PictureAnswer {
   int rating = 0;              ///< 1..4
   std::int64_t choice_ns = 0;  ///< from the picture's onset
   std::int64_t rating_ns = 0;  ///< from the picture's onset; at least choice_ns
+  int position = -1;           ///< of a slider, 0 to `slider_end`; -1: none, and no key of the message
   bool operator==(const PictureAnswer&) const = default;
 };
 struct TrainingBody {

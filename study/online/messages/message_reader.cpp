@@ -37,6 +37,7 @@ PictureAnswer picture_answer(const JsonFields& body) {
                        .rating = static_cast<int>(body.whole("rating", 1, highest_rating)),
                        .choice_ns = body.whole("choice_ns", 0, most_time_ns)};
   answer.rating_ns = body.whole("rating_ns", answer.choice_ns, most_time_ns);
+  if (body.has("position")) answer.position = static_cast<int>(body.whole("position", 0, slider_end));
   return answer;
 }
 
@@ -97,7 +98,8 @@ DisplayBody display_body(const JsonValue& json) {
 TrainingBody training_body(const JsonValue& json) {
   const JsonFields body(
       json, "body",
-      {"training_index", "kind", "stimulus_id", "chosen_index", "rating", "choice_ns", "rating_ns"});
+      {"training_index", "kind", "stimulus_id", "chosen_index", "rating", "choice_ns", "rating_ns"},
+      {"position"});
   return {.training_index = static_cast<int>(body.whole("training_index", 0, most_trials)),
           .answer = picture_answer(body)};
 }
@@ -105,7 +107,8 @@ TrainingBody training_body(const JsonValue& json) {
 AnswerBody answer_body(const JsonValue& json) {
   const JsonFields body(json, "body",
                         {"trial_index", "kind", "stimulus_id", "chosen_index", "rating", "choice_ns",
-                         "rating_ns", "image_scale"});
+                         "rating_ns", "image_scale"},
+                        {"position"});
   return {.trial_index = static_cast<int>(body.whole("trial_index", 0, most_trials)),
           .answer = picture_answer(body),
           .image_scale = body.real("image_scale", least_positive, 1000)};

@@ -17,6 +17,7 @@ void put(Json& json, const PictureAnswer& answer) {
   json["rating"] = answer.rating;
   json["choice_ns"] = answer.choice_ns;
   json["rating_ns"] = answer.rating_ns;
+  if (answer.position >= 0) json["position"] = answer.position;
 }
 
 Json body_json(const MessageBody& body) {

@@ -136,16 +136,21 @@ JsonValue read_strict_json(std::string_view text, const std::string& field, int 
 }
 
 JsonFields::JsonFields(const JsonValue& object, std::string path,
-                       std::initializer_list<std::string_view> keys)
+                       std::initializer_list<std::string_view> keys,
+                       std::initializer_list<std::string_view> optional)
     : object_(object), path_(std::move(path)) {
   if (object.kind != JsonValue::Kind::object) refuse(path_, "an object", object);
   for (const std::string& key : object.keys)
-    if (std::find(keys.begin(), keys.end(), key) == keys.end())
+    if (std::find(keys.begin(), keys.end(), key) == keys.end() &&
+        std::find(optional.begin(), optional.end(), key) == optional.end())
       throw input_error(
           {.field = path_, .wanted = "known keys only", .found = "\"" + printable(key, 40) + "\""});
   for (const std::string_view key : keys)
-    if (std::find(object.keys.begin(), object.keys.end(), key) == object.keys.end())
-      throw input_error({.field = path_of(key), .wanted = "a value", .found = "none"});
+    if (!has(key)) throw input_error({.field = path_of(key), .wanted = "a value", .found = "none"});
+}
+
+bool JsonFields::has(std::string_view key) const {
+  return std::find(object_.keys.begin(), object_.keys.end(), key) != object_.keys.end();
 }
 
 std::string JsonFields::path_of(std::string_view key) const {

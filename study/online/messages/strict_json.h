@@ -25,11 +25,14 @@ struct JsonValue {
 [[nodiscard]] JsonValue read_strict_json(std::string_view text, const std::string& field, int deepest = 6,
                                          std::size_t most_values = 2000);
 
-/// The fields of an object that has exactly these keys. Throws InputError at any other, at a missing one, and
-/// when a value is not what is asked for. Must not outlive the value.
+/// The fields of an object that has exactly these keys, and `optional` ones or not. Throws InputError at any
+/// other, at a missing one, and when a value is not what is asked for. Must not outlive the value.
 class JsonFields {
  public:
-  JsonFields(const JsonValue& object, std::string path, std::initializer_list<std::string_view> keys);
+  JsonFields(const JsonValue& object, std::string path, std::initializer_list<std::string_view> keys,
+             std::initializer_list<std::string_view> optional = {});
+
+  [[nodiscard]] bool has(std::string_view key) const;
 
   [[nodiscard]] const JsonValue& at(std::string_view key) const;
   /// Without control characters; lengths in bytes.

@@ -197,7 +197,7 @@ WebSummary export_web(const WebRequest& request) {
   const TrialRules rules = make_trial_rules(set);
   const ShownNames names(set);
   const WebPictures pictures = add_pictures(set, names, files);
-  const WebParts parts{names, pictures, rules, places_of_tasks(set)};
+  const WebParts parts{names, pictures, rules, places_of_tasks(set), make_visit_script(set).pace.briefed};
   const int slots = slots_of(set, request);
   for (int slot = 0; !rules.is_adaptive() && slot < slots; ++slot) {
     stop_if_interrupted();

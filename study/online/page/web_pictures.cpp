@@ -46,6 +46,8 @@ std::string picture_bytes(const RenderedSet& set, const Trial& trial) {
     case TrialKind::reference:
       return checked_bytes(
           set, reference_picture(set.manifest, reference_of(set.folder, set.manifest, record.stimulus)));
+    case TrialKind::mask:
+      return png_bytes(load_trial_picture(set, trial));
   }
   return {};
 }
@@ -89,6 +91,8 @@ std::string subject_of(const RenderedSet& set, const Trial& trial) {
       return "attention " + truth_of(record.stimulus) + " " + std::to_string(record.stimulus.object_index);
     case TrialKind::reference:
       return "reference " + truth_of(record.stimulus);
+    case TrialKind::mask:
+      return "mask " + truth_of(record.stimulus) + " " + word(task_of(set, trial)->mask);
   }
   return {};
 }
@@ -106,6 +110,9 @@ std::vector<Trial> every_trial(const RenderedSet& set, const ShownNames& names) 
     for (int i = 0; i < static_cast<int>(set.manifest.stimuli.size()); ++i)
       trials.push_back({.kind = kind, .stimulus = i});
   }
+  for (int i = 0; i < static_cast<int>(set.manifest.stimuli.size()); ++i)
+    if (const Trial mask{.kind = TrialKind::mask, .stimulus = i}; is_masked(set, mask))
+      trials.push_back(mask);
   std::sort(trials.begin(), trials.end(),
             [&](const Trial& a, const Trial& b) { return names.name_of(a) < names.name_of(b); });
   return trials;

@@ -37,6 +37,12 @@ Json trial_json(const WebParts& parts, const Trial& trial) {
   const std::vector<Trial> shown = ladders != nullptr ? pictures_of_ladder(*ladders, trial)
                                                       : shown_pictures(parts.rules.task_of(trial), trial);
   if (!parts.own_task.empty()) json["task"] = parts.own_task.at(static_cast<std::size_t>(trial.stimulus));
+  const Trial mask{.kind = TrialKind::mask, .stimulus = trial.stimulus};
+  if (const auto found = parts.pictures.file.find({mask.kind, mask.stimulus});
+      found != parts.pictures.file.end())
+    json["mask"] = found->second;
+  if (parts.briefed && parts.briefed->at(static_cast<std::size_t>(trial.stimulus)) >= 0)
+    json["briefing"] = parts.briefed->at(static_cast<std::size_t>(trial.stimulus));
   if (shown.size() < 2) return json;
   if (ladders != nullptr) {
     json["start"] = ladders->places.at(static_cast<std::size_t>(trial.stimulus)).rung;
@@ -59,21 +65,26 @@ Json task_json(const TaskDefinition* definition, const SessionTask& task) {
     json["answers"] = definition->answers;
     json["labels"] = definition->labels;
   }
+  if (task.mask_ns > 0) json["mask_ns"] = task.mask_ns;
+  if (task.facts.slides) json["slides"] = true;
   if (task.facts.adjusts()) json["adjusts"] = true;
   if (task.facts.compares) json["compares"] = true;
   return json;
 }
 
-/// What conditions with tasks of their own ask, each with all its words; a trial says which it is.
-Json own_tasks_json(const RenderedSet& set, const VisitScript& script) {
+/// What conditions with tasks of their own ask, each with all its words as in `read`; a trial says which it
+/// is.
+Json own_tasks_json(const RenderedSet& set, const StudyDefinition& read) {
+  const VisitScript script = make_visit_script(set);
   Json tasks = Json::array();
   for (const TaskGroup& group : task_groups(set.study)) {
     SessionTask paced;
     for (std::size_t i = 0; i < set.manifest.stimuli.size(); ++i)
       if (set.manifest.stimuli[i].stimulus.condition == group.conditions.front())
         paced = script.pace.own_tasks->at(i);
-    Json json = task_json(group.task.get(), paced);
-    const AskedTexts texts = asked_texts(set.study, group.task.get());
+    const std::shared_ptr<const TaskDefinition> task = task_of(read, group.conditions.front());
+    Json json = task_json(task.get(), paced);
+    const AskedTexts texts = asked_texts(read, task.get());
     json.update({{"question", texts.question},
                  {"hint", texts.hint},
                  {"rating_hint", texts.rating_hint},
@@ -90,6 +101,17 @@ Json texts_json(const StudyDefinition& study) {
     texts[std::string(entry.key)] = phrase_text(study.texts, entry.phrase);
   for (const auto& [key, text] : page_texts_of(study)) texts[key] = text;
   return texts;
+}
+
+/// What is read before the block of each condition, in their order; nothing where none is.
+void add_briefings(const StudyDefinition& read, Json& json) {
+  Json briefings = Json::array();
+  bool any = false;
+  for (const ConditionDefinition& condition : read.conditions) {
+    briefings.push_back(condition.instructions);
+    any = any || !condition.instructions.empty();
+  }
+  if (any) json["briefings"] = std::move(briefings);
 }
 
 /// Without codes, which the server keeps until somebody has one.
@@ -136,7 +158,7 @@ Json consent_json(const ConsentDefinition& consent) {
 }
 
 Json training_json(const WebStudy& web, const VisitScript& script) {
-  const WebParts parts{web.names, web.pictures, web.rules, places_of_tasks(web.set)};
+  const WebParts parts{web.names, web.pictures, web.rules, places_of_tasks(web.set), {}};
   Json trials = Json::array();
   for (std::size_t i = 0; i < script.training.size(); ++i) {
     Json trial = {{"training_index", i}};
@@ -277,7 +299,8 @@ std::string web_study_text(const WebStudy& web) {
   }
   if (study.clip) json["clip"] = {{"frames_per_s", study.clip->frames_per_s}, {"loops", study.clip->loops}};
   if (study.task) json["task"] = task_json(study.task.get(), script.pace.task);
-  if (has_own_tasks(study)) json["tasks"] = own_tasks_json(web.set, script);
+  if (has_own_tasks(study)) json["tasks"] = own_tasks_json(web.set, study);
+  add_briefings(study, json);
   return json.dump(1) + "\n";
 }
 
@@ -294,6 +317,8 @@ std::string web_language_text(const WebStudy& web, const StudyDefinition& read, 
                {"feedback_wrong", read.training.feedback_wrong},
                {"texts", texts_json(read)}};
   if (read.task) json["task"] = task_json(read.task.get(), make_visit_script(web.set).pace.task);
+  if (has_own_tasks(read)) json["tasks"] = own_tasks_json(web.set, read);
+  add_briefings(read, json);
   return json.dump(1) + "\n";
 }
 

@@ -7,6 +7,7 @@
 #include "study/online/page/web_pictures.h"
 #include "study/trials/participant_trials.h"
 #include "study/trials/rendered_set.h"
+#include "study/visit/session.h"
 
 namespace seamline::study::online {
 
@@ -43,6 +44,7 @@ struct WebParts {
   const WebPictures& pictures;
   const TrialRules& rules;
   std::vector<int> own_task = {};  ///< of each stimulus its place among the study's tasks; else none
+  BriefedBlocks briefed = {};
 };
 
 /// Of each stimulus of a set whose conditions have tasks of their own the place of its task among

@@ -236,17 +236,25 @@ void StudyService::later(HttpRequest request, Reply reply) {
           if (!due) return answer({{"done", true}});
           const std::string kind(word(due->second.kind));
           const std::string id = intake.names().name_of(due->second);
-          Json pictures = Json::array();
-          for (const Trial& shown : intake.pictures_of(due->second)) {
+          const auto file_of = [&](const Trial& shown) {
             const auto picture =
                 site_.picture_of.find(std::string(word(shown.kind)) + " " + intake.names().name_of(shown));
-            if (picture == site_.picture_of.end()) return error(500, "The page has no such picture.");
-            pictures.push_back(picture->second);
-          }
+            return picture == site_.picture_of.end() ? std::string() : picture->second;
+          };
+          Json pictures = Json::array();
+          for (const Trial& shown : intake.pictures_of(due->second)) pictures.push_back(file_of(shown));
+          const std::optional<Trial> mask = intake.mask_of(due->second);
+          if (mask) pictures.push_back(file_of(*mask));
+          if (std::find(pictures.begin(), pictures.end(), "") != pictures.end())
+            return error(500, "The page has no such picture.");
           Json trial = {{"trial_index", due->first},
                         {"kind", kind},
                         {"stimulus_id", id},
                         {"picture", pictures.front()}};
+          if (mask) {
+            trial["mask"] = pictures.back();
+            pictures.erase(pictures.size() - 1);
+          }
           if (pictures.size() > 1) trial["pictures"] = pictures;
           Json json;
           json["trial"] = std::move(trial);

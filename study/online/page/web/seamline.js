@@ -142,7 +142,7 @@ class Study {
       form: study.form,
       instruction_pages: study.instructions.length,
       training: study.training,
-      pace: { ...study.pace, task: study.task, tasks: study.tasks },
+      pace: { ...study.pace, task: study.task, tasks: study.tasks, briefs: Boolean(study.briefings) },
     };
     this.screen = watchScreen(document.getElementById("probe"), (kind, detail) => this.note(kind, detail));
     this.pictures = makePictures(study.pictures, study.clip ?? null, { away: this.away, progress: () => this.#showStatus(), failed: (error) => this.failed(error) });
@@ -454,6 +454,7 @@ const whatWasAnswered = ({ trial, answer }) => ({
   stimulus_id: answer.stimulus_id ?? trial.stimulus_id, // of a match, the picture at which it ended
   chosen_index: answer.chosen_index,
   rating: answer.rating,
+  ...(answer.position === undefined ? {} : { position: answer.position }),
   choice_ns: answer.choice_ns,
   rating_ns: answer.rating_ns,
 });
@@ -468,6 +469,7 @@ const SCREENS = {
   ready: pages.drawReady,
   trial: drawStudyTrial,
   break: pages.drawBreak,
+  briefing: pages.drawBriefing,
   pause: pages.drawPause,
   thanks: pages.drawThanks,
   declined: pages.drawDeclined,

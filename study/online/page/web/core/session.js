@@ -12,6 +12,9 @@ const taskDue = (session) => taskOf(session.pace, currentTrial(session.trials));
 const beforeImage = (pace) =>
   pace.inter_trial_ns > 0 ? { name: "grey", since_ns: null } : { name: "awaiting" };
 
+/** The block of trials that a trial belongs to, where that has instructions of its own. */
+const briefedBlock = (trial) => trial?.briefing ?? -1;
+
 function afterGrey(phase, event, pace) {
   if (event.type === "picture_taken") return { name: "grey", since_ns: null };
   if (event.type !== "tick") return phase;
@@ -43,6 +46,16 @@ function afterGap(phase, event, session) {
 export const isPictureSeen = (task, onset_ns, now_ns) =>
   task.pictures === 1 && (task.exposure_ns === 0 || now_ns - onset_ns < task.exposure_ns);
 
+/** Whether the mask of the picture that came at `onset_ns` is seen at a time. */
+export function isMaskSeen(task, onset_ns, now_ns) {
+  const since_ns = now_ns - onset_ns - task.exposure_ns;
+  return task.exposure_ns > 0 && since_ns >= 0 && since_ns < (task.mask_ns ?? 0);
+}
+
+/** Where a slider can stand, and the label of five whose fifth a place is. */
+const SLIDER_END = 100;
+const ratingAt = (position) => Math.min(4, Math.floor((5 * position) / SLIDER_END));
+
 const isChoice = (event, onset_ns, session) =>
   event.index >= 1 && event.index <= taskDue(session).alternatives && event.now_ns >= onset_ns &&
   event.now_ns - onset_ns >= session.pace.minimum_viewing_ns;
@@ -73,16 +86,21 @@ function afterStep(phase, event, session) {
 
 /** The answer of a task without a choice: whether anything was seen is the rating's to say. */
 function afterOnlyRating(phase, event, session) {
-  if (event.type !== "rating_given" || !(event.rating >= 0 && event.rating <= 4)) return phase;
+  if (event.type !== "rating_given") return phase;
+  const { slides } = taskDue(session);
+  const isPlace = event.position >= 0 && event.position <= SLIDER_END;
+  const rating = slides ? ratingAt(event.position) : event.rating;
+  if (slides ? !isPlace : !(rating >= 0 && rating <= 4)) return phase;
   const rating_ns = event.now_ns - phase.onset_ns;
   if (rating_ns < session.pace.minimum_viewing_ns) return phase;
-  const seen = event.rating > 0;
+  const seen = rating > 0;
   return {
     name: "storing",
     answer: {
       trial_index: session.trials.answered,
       chosen_index: seen ? 1 : 2,
-      rating: seen ? event.rating : 1,
+      rating: seen ? rating : 1,
+      ...(slides ? { position: event.position } : {}),
       choice_ns: rating_ns,
       rating_ns,
     },
@@ -111,28 +129,34 @@ function afterRating(phase, event, session) {
   };
 }
 
-function nextTrial(session) {
-  if (!currentTrial(session.trials)) return { name: "done" };
+/** `before`: the trial that was answered last, or null at the beginning. */
+function nextTrial(session, before) {
+  const due = currentTrial(session.trials);
+  if (!due) return { name: "done" };
+  const block = session.pace.briefs ? briefedBlock(due) : -1;
+  const briefing = block >= 0 && block !== briefedBlock(before);
   const every = session.pace.break_every_trials;
-  if (every > 0 && session.trials.answered % every === 0) return { name: "break" };
-  return beforeImage(session.pace);
+  if (every > 0 && before && session.trials.answered % every === 0) return { name: "break", briefing };
+  return briefing ? { name: "briefing" } : beforeImage(session.pace);
 }
 
 /** `event.next` is what a server placed next, for trials that it places one by one. */
 function afterStoring(session, event) {
   if (event.type !== "answer_stored") return session;
+  const before = currentTrial(session.trials);
   const after = { ...session, trials: afterAnswer(session.trials, event.next) };
-  return { ...after, phase: nextTrial(after) };
+  return { ...after, phase: nextTrial(after, before) };
 }
 
 /** At the first unanswered trial, or done when there is none. */
 export function beginSession(trials, pace) {
-  return { trials, pace, phase: currentTrial(trials) ? beforeImage(pace) : { name: "done" } };
+  const session = { trials, pace };
+  return { ...session, phase: nextTrial(session, null) };
 }
 
 /**
  * The session after an event: {type: "tick" | "image_shown" | "object_chosen" | "rating_given" | "answer_stored" |
- * "break_ended" | "picture_taken", now_ns, index, rating, next}. What does not belong to the phase changes nothing.
+ * "break_ended" | "picture_taken", now_ns, index, rating, position, next}. What does not belong to the phase changes nothing.
  */
 export function nextSession(session, event) {
   const phase = session.phase;
@@ -153,6 +177,9 @@ export function nextSession(session, event) {
     case "storing":
       return afterStoring(session, event);
     case "break":
+      if (event.type !== "break_ended") return session;
+      return becomes(phase.briefing ? { name: "briefing" } : beforeImage(session.pace));
+    case "briefing":
       return event.type === "break_ended" ? becomes(beforeImage(session.pace)) : session;
     default:
       return session; // done

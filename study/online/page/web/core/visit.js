@@ -7,11 +7,11 @@ import { faultOf } from "./form.js";
 import { beginSession, nextSession } from "./session.js";
 import { currentTrial, plannedTrials } from "./trials.js";
 
-const PAUSABLE = ["instructions", "training", "feedback", "ready", "trial", "break"];
+const PAUSABLE = ["instructions", "training", "feedback", "ready", "trial", "break", "briefing"];
 const LAST = ["thanks", "declined", "ended", "stopped"];
 
 function beginTraining(script, trained) {
-  return beginSession(plannedTrials(script.training, trained), { ...script.pace, break_every_trials: 0 });
+  return beginSession(plannedTrials(script.training, trained), { ...script.pace, break_every_trials: 0, briefs: false });
 }
 
 /** The visit of a newcomer: at the consent. */
@@ -50,14 +50,16 @@ function afterDisplay(visit) {
   const first =
     visit.script.instruction_pages > 0 ? { name: "instructions", page: 0 } : trainingOrReady(visit);
   if (!visit.resumed) return first;
-  if (visit.session.trials.answered > 0 || visit.begun) return { name: "pause", below: { name: "trial" } };
+  const goesOn = visit.session.phase.name === "briefing" ? { name: "briefing" } : { name: "trial" };
+  if (visit.session.trials.answered > 0 || visit.begun) return { name: "pause", below: goesOn };
   if (visit.training.trials.answered > 0) return { name: "pause", below: trainingOrReady(visit) };
   return first;
 }
 
 /** The screen of the session's phase; asks for the completion after the last trial. */
 function showSession(visit) {
-  if (visit.session.phase.name === "break") return { ...visit, screen: { name: "break" } };
+  const phase = visit.session.phase.name;
+  if (phase === "break" || phase === "briefing") return { ...visit, screen: { name: phase } };
   const pending = visit.session.phase.name === "done" ? { kind: "completion" } : null;
   return { ...visit, screen: { name: "trial" }, pending };
 }
@@ -166,6 +168,7 @@ function onScreen(visit, event) {
     case "trial":
       return onTrial(visit, event);
     case "break":
+    case "briefing":
       return continued
         ? showSession({ ...visit, session: nextSession(visit.session, { type: "break_ended" }) })
         : visit;

@@ -1,4 +1,5 @@
 // Pages of words: consent, instructions, ready, break, pause, and the last ones.
+import { currentTrial } from "../core/trials.js";
 import { buttonRow, card, element, paragraphs } from "./dom.js";
 import { textSizes } from "./text_size.js";
 
@@ -83,6 +84,14 @@ export const drawReady = (app, display) =>
     title: app.phrase("ready_title"),
     text: app.phrase("ready_text"),
     button: app.phrase("ready_button"),
+  });
+
+/** The instructions of the block of trials that begins. */
+export const drawBriefing = (app, display) =>
+  drawPage(app, display, {
+    title: app.phrase("instructions_title"),
+    text: app.study.briefings[currentTrial(app.visit.session.trials).briefing],
+    button: app.phrase("continue"),
   });
 
 export function drawBreak(app, display) {

@@ -1,10 +1,10 @@
 // Trials of tasks other than the paper's: pairs, intervals, yes or no, ratings (study/app/screens/screen_task.cpp).
 import { placeTrial } from "../core/place.js";
-import { isPictureSeen, taskOf } from "../core/session.js";
+import { isMaskSeen, isPictureSeen, taskOf } from "../core/session.js";
 import { currentTrial, trialsAhead } from "../core/trials.js";
 import { nanoseconds } from "../core/messages.js";
 import { element, svg } from "./dom.js";
-import { answerRow, answering, askedBy, exposures, lateFrames, showProgress, shownSize, tightenRow } from "./trial_parts.js";
+import { answerRow, answering, askedBy, exposures, lateFrames, showProgress, shownSize, sliderRow, tightenRow } from "./trial_parts.js";
 
 /** The stage of a picture: everything is placed in pixels of the screen. */
 function makeStage(app, display, task) {
@@ -17,7 +17,7 @@ function makeStage(app, display, task) {
   const node = element("div", { class: "stage" }, overlay, questions);
   const isPair = task.kind === "pair";
   display.append(node);
-  const stage = { node, overlay, fixation, question, hint, answers, questions, images: [], place: null };
+  const stage = { node, overlay, fixation, question, hint, answers, questions, images: [], masksFrom: 0, place: null };
 
   /** Puts everything where it belongs; the picture at whole pixels of the screen, as large as it is. */
   stage.layOut = () => {
@@ -31,7 +31,7 @@ function makeStage(app, display, task) {
     fixation.setAttribute("d", `M${x - 12} ${y - 1}h24v2h-24zM${x - 1} ${y - 12}h2v24h-2z`);
     questions.style.top = place.questions_y / ratio + "px";
     stage.images.forEach((image, at) => {
-      image.style.left = (place.x + (isPair ? at * (place.width - app.study.width_px) : 0)) / ratio + "px";
+      image.style.left = (place.x + (isPair ? (at % 2) * (place.width - app.study.width_px) : 0)) / ratio + "px";
       image.style.top = place.y / ratio + "px";
       image.style.width = app.study.width_px / ratio + "px";
       image.style.height = place.height / ratio + "px";
@@ -39,8 +39,10 @@ function makeStage(app, display, task) {
   };
 
   /** The pictures of a trial: side by side in a pair, else one over the other. */
-  stage.put = (images) => {
+  stage.put = (images, mask = null) => {
     stage.images.forEach((image) => image.remove());
+    stage.masksFrom = images.length;
+    if (mask) images = [...images, mask, ...(isPair ? [mask] : [])];
     // A picture that is shown twice needs an element for each.
     stage.images = images.map((image, at) => (images.indexOf(image) === at ? image : image.cloneNode()));
     for (const image of stage.images) {
@@ -53,9 +55,12 @@ function makeStage(app, display, task) {
     app.screen.watchPicture(stage.images[0]);
   };
 
-  /** Shows one of the pictures that stand over each other, or both of a pair; -1: none. */
-  stage.show = (which) =>
-    stage.images.forEach((image, at) => image.classList.toggle("visible", which >= 0 && (isPair || at === which)));
+  /** Shows one of the pictures that stand over each other, or both of a pair, or the mask in their place; -1: none. */
+  stage.show = (which, masked = false) =>
+    stage.images.forEach((image, at) => {
+      const seen = at >= stage.masksFrom ? masked : which >= 0 && (isPair || at === which);
+      image.classList.toggle("visible", seen);
+    });
 
   return stage;
 }
@@ -66,7 +71,14 @@ const STEPS = { ArrowLeft: 1, ArrowUp: 1, ArrowRight: 2, ArrowDown: 2, Enter: 3,
 
 /** The files that a trial shows: one, or several side by side or one after another. */
 const picturesOf = (trial) => trial.pictures ?? [trial.picture];
-const picturesReady = (app, trial) => Promise.all(picturesOf(trial).map((file) => app.pictures.ready(file)));
+const filesOf = (trial) => [...picturesOf(trial), ...(trial.mask ? [trial.mask] : [])];
+const picturesReady = (app, trial) => Promise.all(filesOf(trial).map((file) => app.pictures.ready(file)));
+/** Puts what is ready of a trial on its stage. */
+function putReady(stage, trial, ready) {
+  const images = ready.map((one) => one.image);
+  const count = picturesOf(trial).length;
+  stage.put(images.slice(0, count), images[count] ?? null);
+}
 
 /** The picture of a pair at a place: 1 left, 2 right, or 0. */
 function sideAt(study, x, y) {
@@ -85,19 +97,27 @@ export function drawTaskTrial(app, display, isPractice) {
   const stage = makeStage(app, display, task);
   const detail = isPractice ? "practice" : "";
   let picture = null; // what is shown, once it is decoded
+  let clip = null; // that plays
   let ratings = []; // the buttons of the row of answers
   let asked = ""; // the phase whose question stands there
   let shownWith = null; // the frame that shows the picture has begun
   let frame = null;
   let frameAt = null; // when the frame began that is being drawn
   const lateness = lateFrames(app);
-  const exposed = exposures(app, task, detail);
+  const exposed = exposures(app, "exposure", task.exposure_ns, detail);
+  const masked = exposures(app, "mask", task.mask_ns ?? 0, detail);
   let open = true;
 
   showProgress(app, stage.node, session().trials, isPractice);
 
   const step = (event) => app.step(event);
-  const { choose, rate } = answering(app, session, isPractice);
+  const answers = answering(app, session, isPractice);
+  /** Answers that end the trial: what its clip showed is noted before them. */
+  const ending = (answer) => (value, event) => {
+    if (clip) app.note("clip", (detail + " " + clip.showing()).trim(), event.timeStamp);
+    answer(value, event);
+  };
+  const [choose, rate, slide] = [task.rates ? answers.choose : ending(answers.choose), ending(answers.rate), ending(answers.slide)];
 
   const phase = () => session().phase;
   const isOpen = (now) => now >= phase().onset_ns + session().pace.minimum_viewing_ns;
@@ -110,7 +130,16 @@ export function drawTaskTrial(app, display, isPractice) {
 
   const takeRating = (digit, event) => rate(task.chooses ? digit : digit - 1, event);
 
+  function showSlider() {
+    stage.question.textContent = texts.question;
+    stage.hint.textContent = texts.hint;
+    ratings = [];
+    sliderRow(app, stage, task.labels, slide);
+    app.say(texts.question);
+  }
+
   function showRatings() {
+    if (task.slides) return showSlider();
     const question = task.chooses ? app.study.rating_question : texts.question;
     stage.question.textContent = question;
     stage.hint.textContent = task.chooses ? texts.rating_hint : texts.hint;
@@ -130,15 +159,26 @@ export function drawTaskTrial(app, display, isPractice) {
     return -1;
   }
 
+  /** The picture whose mask is seen in its place, from 0; -1: none. */
+  function shownMask(now, answering) {
+    const at = whenSeen(performance.now());
+    if (now.name === "gap") return at - now.since_ns < (task.mask_ns ?? 0) ? now.picture - 1 : -1;
+    return answering && isMaskSeen(task, now.onset_ns, at) ? task.pictures - 1 : -1;
+  }
+
   /** What the phase shows. */
   function update() {
     const now = phase();
     const answering = ["choosing", "rating"].includes(now.name);
     const visible = shownPicture(now, answering);
-    stage.show(visible);
-    if (["grey", "storing"].includes(now.name)) exposed.forget();
-    else if (frameAt !== null) exposed.see(visible, frameAt);
-    stage.fixation.classList.toggle("visible", visible < 0 && ["grey", "awaiting", "gap"].includes(now.name));
+    const mask = shownMask(now, answering);
+    stage.show(visible, mask >= 0);
+    if (["grey", "storing"].includes(now.name)) [exposed, masked].forEach((counted) => counted.forget());
+    else if (frameAt !== null) {
+      exposed.see(visible, frameAt);
+      masked.see(mask, frameAt);
+    }
+    stage.fixation.classList.toggle("visible", visible < 0 && mask < 0 && ["grey", "awaiting", "gap"].includes(now.name));
     const opened = isOpen(nanoseconds(performance.now()));
     const asking = (now.name === "rating" && (task.chooses || opened)) || (now.name === "choosing" && opened);
     if (asking && asked !== now.name) {
@@ -156,8 +196,9 @@ export function drawTaskTrial(app, display, isPractice) {
       asked = "";
     }
     const timed = ["grey", "awaiting", "viewing", "gap"].includes(now.name);
-    const ending = answering && task.exposure_ns > 0 && visible >= 0; // the exposure
-    if (open && frame === null && (timed || ending || (answering && !asking)))
+    if (["grey", "awaiting"].includes(now.name)) clip?.rewind();
+    const changes = answering && task.exposure_ns > 0 && (visible >= 0 || mask >= 0); // the exposure, or its mask
+    if (open && frame === null && (timed || changes || (answering && (!asking || clip?.isPlaying()))))
       frame = requestAnimationFrame(onFrame);
   }
 
@@ -176,11 +217,12 @@ export function drawTaskTrial(app, display, isPractice) {
         app.note("shown", detail, now);
         lateness.tell(now);
         step({ type: "image_shown", now_ns: nanoseconds(now) });
-      } else if (picture && app.guard.problem() === null) {
+      } else if (picture && (clip?.isReady() ?? true) && app.guard.problem() === null) {
         shownWith = now;
       }
     }
     if (phase().name !== "awaiting") shownWith = null;
+    if (clip && ["choosing", "rating"].includes(phase().name)) clip.play(now - phase().onset_ns / 1e6, 1000 / (app.screen.refreshHz() || 60));
     if (open) update();
     frameAt = null;
   }
@@ -211,7 +253,7 @@ export function drawTaskTrial(app, display, isPractice) {
       if (step < 3 || !event.repeat) choose(step, event);
       return event.preventDefault();
     }
-    if (event.repeat || event.ctrlKey || event.metaKey || event.altKey || stage.questions.hidden) return;
+    if (event.repeat || event.ctrlKey || event.metaKey || event.altKey || stage.questions.hidden || task.slides) return;
     if (app.guard.problem() !== null) return;
     const digit = /^[1-9]$/.test(event.key) ? Number(event.key) : 0;
     const back = event.key === "ArrowLeft" || event.key === "ArrowUp";
@@ -243,18 +285,19 @@ export function drawTaskTrial(app, display, isPractice) {
 
   const ahead = trialsAhead(session().trials);
   const all = [...ahead, ...(isPractice ? trialsAhead(app.visit.session.trials) : [])];
-  app.pictures.want(all.flatMap(picturesOf));
-  app.pictures.keep(picturesOf(trial).length);
+  app.pictures.want(all.flatMap(filesOf));
+  app.pictures.keep(filesOf(trial).length);
   const loadingWords = setTimeout(() => app.showLoading(true), 400);
   picturesReady(app, trial).then((ready) => {
     clearTimeout(loadingWords);
     app.showLoading(false);
-    if (!open) return;
+    if (!open) return ready.forEach((one) => one.clip?.stop());
     picture = ready;
-    stage.put(ready.map((one) => one.image));
+    clip = ready[0].clip ?? null;
+    putReady(stage, trial, ready);
     update();
     const next = ahead[1];
-    if (next) picturesReady(app, next).catch(() => {}); // decoded while this one is looked at
+    if (next && !clip) picturesReady(app, next).catch(() => {}); // decoded while this one is looked at
   }, app.failed);
   update();
 
@@ -262,6 +305,7 @@ export function drawTaskTrial(app, display, isPractice) {
     update,
     close() {
       open = false;
+      clip?.stop();
       clearTimeout(loadingWords);
       app.showLoading(false);
       if (frame !== null) cancelAnimationFrame(frame);
@@ -291,14 +335,20 @@ export function drawTaskFeedback(app, display) {
   stage.hint.remove();
   stage.layOut();
   const stopWatching = app.screen.onChange(() => stage.layOut());
+  let over = false;
+  let clip = null; // at its first frame
   picturesReady(app, trial).then((ready) => {
-    stage.put(ready.map((one) => one.image));
+    clip = ready[0].clip ?? null;
+    if (over) return clip?.stop();
+    putReady(stage, trial, ready);
     stage.show(task.pictures > 1 ? Math.max(0, right - 1) : 0);
   }, app.failed);
   app.say(stage.question.textContent);
   app.focus(button);
   return {
     close() {
+      over = true;
+      clip?.stop();
       stopWatching();
       app.screen.watchPicture(null);
     },

@@ -210,10 +210,18 @@ function drawTrial(app, display, isPractice) {
 
   const step = (event) => app.step(event);
   const answers = answering(app, session, isPractice);
-  const choose = answers.choose;
+  /** What was noted while the trial was looked at, before its last answer. */
+  const noteLooking = (last, event) => {
+    if (phase().name !== last) return;
+    if (!isPractice) view.poses.take().forEach((poses) => app.note("look", poses));
+    if (picture?.clip) app.note("clip", (detail + " " + picture.clip.showing()).trim(), event.timeStamp);
+  };
+  const choose = (index, event) => {
+    if (!task.rates) noteLooking("choosing", event);
+    answers.choose(index, event);
+  };
   const rate = (rating, event) => {
-    if (!isPractice && phase().name === "rating") view.poses.take().forEach((poses) => app.note("look", poses));
-    if (picture?.clip && phase().name === "rating") app.note("clip", (detail + " " + picture.clip.showing()).trim(), event.timeStamp);
+    noteLooking("rating", event);
     answers.rate(rating, event);
   };
 

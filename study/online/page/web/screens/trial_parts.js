@@ -36,12 +36,45 @@ export function answering(app, session, isPractice) {
       app.step({ type: "object_chosen", index, now_ns: nanoseconds(event.timeStamp) });
       if (session() !== before) app.note("choice", (detail + " " + index).trim(), event.timeStamp);
     },
+    slide(position, event) {
+      const before = session();
+      app.step({ type: "rating_given", position, now_ns: nanoseconds(event.timeStamp) });
+      if (session() !== before || app.visit.pending) app.note("rating", (detail + " " + position).trim(), event.timeStamp);
+    },
     rate(rating, event) {
       const before = session();
       app.step({ type: "rating_given", rating, now_ns: nanoseconds(event.timeStamp) });
       if (session() !== before || app.visit.pending) app.note("rating", (detail + " " + rating).trim(), event.timeStamp);
     },
   };
+}
+
+/**
+ * A line on a stage with a place from 0 to 100, two labels at its ends or five over its fifths, and a button that ends it; the
+ * place comes with the first press. `take(position, event)` hears where it stands in the end.
+ */
+export function sliderRow(app, stage, labels, take) {
+  const line = element("input", { type: "range", id: "slider", class: "unset", min: 0, max: 100, step: 1, "aria-labelledby": "title" });
+  const done = element("button", { type: "button", id: "slider-done", disabled: true, onclick: (event) => take(Number(line.value), event) }, app.phrase("continue"));
+  const say = () => {
+    const at = labels.length === 5 ? Math.min(4, Math.floor(Number(line.value) / 20)) : Number(line.value) < 50 ? 0 : 1;
+    line.setAttribute("aria-valuetext", line.value + ", " + labels[at]);
+  };
+  const begin = () => {
+    line.classList.remove("unset");
+    done.disabled = false;
+    say();
+  };
+  line.addEventListener("input", begin);
+  line.addEventListener("pointerdown", begin);
+  line.addEventListener("keydown", (event) => {
+    if (event.key === "Enter" && !event.repeat && !done.disabled) take(Number(line.value), event);
+  });
+  const words = labels.map((label) => element("span", {}, label));
+  const ends = element("div", { class: "slider-labels" + (labels.length === 2 ? " ends" : ""), "aria-hidden": "true" }, ...words);
+  stage.answers.replaceChildren(element("div", { class: "slider" }, element("div", { class: "slider-line" }, ends, line), done));
+  stage.questions.hidden = false;
+  app.focus(line);
 }
 
 /** A row of numbered answers on a stage; `take(number from 1, event)` hears which. Its buttons. */
@@ -86,18 +119,18 @@ export function lateFrames(app) {
   };
 }
 
-/** Counts for how many refreshes of the screen a task's pictures stand there, and notes each exposure that ended by itself. */
-export function exposures(app, task, detail) {
+/** Counts for how many refreshes of the screen a task's pictures or masks stand there, and notes each that ended by itself. */
+export function exposures(app, kind, time_ns, detail) {
   let seen = -1;
   let since = 0;
   return {
     /** A frame that begins at `now` shows a picture, from 0, or none (-1). */
     see(visible, now) {
-      if (task.exposure_ns === 0 || visible === seen) return;
+      if (time_ns === 0 || visible === seen) return;
       const period = 1000 / (app.screen.refreshHz() || 60);
       const frames = Math.round((now - since) / period);
-      const wanted = Math.max(1, Math.round(task.exposure_ns / 1e6 / period));
-      if (seen >= 0) app.note("exposure", (detail + ` picture ${seen + 1} frames ${frames} wanted ${wanted}`).trim(), now);
+      const wanted = Math.max(1, Math.round(time_ns / 1e6 / period));
+      if (seen >= 0) app.note(kind, (detail + ` picture ${seen + 1} frames ${frames} wanted ${wanted}`).trim(), now);
       seen = visible;
       since = now;
     },
