@@ -58,10 +58,10 @@ def sun_texel(strength):
 class Case:
     """One stimulus: a room, what it is lit by, an object, and what the depth map answers."""
 
-    def __init__(self, name, room=OPEN, object_parts=None, light=None, artifact="receiver", scene=None, study="", tables="", camera=CAMERA, size=(64, 36), width=128, same_seed=False, object_number=1, map=None, pattern=None, **keys):
+    def __init__(self, name, room=OPEN, object_parts=None, light=None, artifact="receiver", scene=None, study="", tables="", camera=CAMERA, size=(64, 36), width=128, same_seed=False, truth_times=1, object_number=1, map=None, pattern=None, **keys):
         self.name, self.room, self.camera, self.object_number, self.map = name, room, camera, object_number, map
         self.object_parts = object_parts or [(ball(0.35, (0, 0.351, 0)), WHITE)]
-        self.artifact, self.study, self.tables, self.size, self.width, self.same_seed = artifact, study, tables, size, width, same_seed
+        self.artifact, self.study, self.tables, self.size, self.width, self.same_seed, self.truth_times = artifact, study, tables, size, width, same_seed, truth_times
         self.scene = {"bounces": "4", "albedo": "0.5", "materials": '"gltf"', "exposure_ev": "0"} | (light or DAY) | (scene or {}) | keys
         self.pattern = pattern or f"{name}-{artifact}-o{object_number}-*"
 
@@ -125,10 +125,10 @@ def cases():
         Case("thing_that_glows_closed", room=CLOSED, object_parts=[(ball(0.35, (0, 0.351, 0)), {"emits": (8, 7, 6)})], light={"environment_radiance": "[0, 0, 0]", "suns": "[]"}, lamps=lamps((-1.5, 2.5, -2, 2)), artifact="bounce"),
         Case("sky_map", light={"environment": '"builtin:clear_sky"', "suns": "[]"}, exposure_ev="-1"),
         Case("map_sun_texel", light={"environment": '"map.hdr"', "suns": "[]"}, map=sun_texel(600)),
-        Case("map_sun_texel_strong", same_seed=True, light={"environment": '"map.hdr"', "suns": "[]"}, map=sun_texel(20000), exposure_ev="-5"),
+        Case("map_sun_texel_strong", truth_times=4, light={"environment": '"map.hdr"', "suns": "[]"}, map=sun_texel(20000), exposure_ev="-5"),
         Case("map_sun_texel_metal", light={"environment": '"map.hdr"', "suns": "[]"}, map=sun_texel(600), object_parts=gloss(1, 0.15), artifact="all"),
-        Case("slit", same_seed=True, room=slit_room, light={"environment_radiance": "[20, 20, 20]", "suns": "[]"}),
-        Case("slit_sun", same_seed=True, room=slit_room, light={"environment_radiance": "[2, 2, 2]", "suns": "[{to_sun = [0.0, 1, -0.06], irradiance_w_m2 = [60, 60, 60]}]"}),
+        Case("slit", truth_times=16, room=slit_room, light={"environment_radiance": "[20, 20, 20]", "suns": "[]"}),
+        Case("slit_sun", truth_times=16, room=slit_room, light={"environment_radiance": "[2, 2, 2]", "suns": "[{to_sun = [0.0, 1, -0.06], irradiance_w_m2 = [60, 60, 60]}]"}),
         Case("ring_caustic", object_parts=[(ring_band(0.3, 0.25), {"colour": (0.95, 0.9, 0.7), "metallic": 1, "roughness": 0.02})]),
         Case("ring_caustic_lamp", room=CLOSED, object_parts=[(ring_band(0.3, 0.25), {"colour": (0.95, 0.9, 0.7), "metallic": 1, "roughness": 0.02})], light=NIGHT, lamps=lamps((0.8, 1.6, -0.9, 5))),
         Case("thin_rods", room=OPEN + [(rods(), BLACK)], artifact="occlusion"),

@@ -85,6 +85,17 @@ TruthScene ring_in_the_sun() {
   return small_room({polished(upright_band({0, -1, -4}, 0.5F, 0.4F), 0.02F)}, light);
 }
 
+/// A ball with the normals of a sphere, in which a lamp behind the camera covers a hundredth of a pixel.
+TruthScene lamp_in_a_mirror() {
+  const Eigen::Vector3f centre_m(0, -0.3F, -3);
+  constexpr float radius_m = 0.6F;
+  auto ball = std::make_shared<SurfaceMesh>(
+      *polished(ball_shape(centre_m, radius_m, 48, {.object_index = 1}), 0.0025F));
+  for (const Eigen::Vector3f& at : ball->positions_m) ball->normals.push_back((at - centre_m).normalized());
+  return small_room({ball}, faint_sky(0.3F),
+                    {plane_shape({.centre_m = {0.6, 1.2, 0.6}, .half_size_m = 0.02}, {.emission = 900})});
+}
+
 StabilityCase told_error_case(const std::string& name, const std::string& tried, TruthScene (*scene)(),
                               Artifact artifact) {
   return {.group = "light",
@@ -133,7 +144,9 @@ StabilityCases told_error_cases() {
           told_error_case("told-error-near-lamp", "a lamp without size 4 cm before a wall",
                           lamp_close_to_the_wall, Artifact::receiver),
           told_error_case("told-error-metal-ring", "a polished ring that focuses the sun onto the floor",
-                          ring_in_the_sun, Artifact::receiver)};
+                          ring_in_the_sun, Artifact::receiver),
+          told_error_case("told-error-mirrored-lamp", "a lamp of 4 cm that is seen in a polished ball alone",
+                          lamp_in_a_mirror, Artifact::all)};
 }
 
 }  // namespace seamline::stability
