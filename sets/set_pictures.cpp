@@ -18,8 +18,8 @@ std::string click_map_picture(const std::string& truth) {
   return "references/" + truth + "-ids.png";
 }
 
-/// Writes what people are shown; of panoramas for each eye also those of the other eyes, which are returned:
-/// "stimuli/NAME-eye2.png" beside "stimuli/NAME.png".
+/// Writes what people are shown, or its click map; of panoramas for each eye also those of the other eyes,
+/// which are returned: "stimuli/NAME-eye2.png" beside "stimuli/NAME.png".
 std::vector<EyePicture> write_eyes(const fs::path& set_folder, const std::string& image, const View& view,
                                    const ByteImage& bytes) {
   write_png(set_folder / image, eye_of(view, bytes, 0));
@@ -70,7 +70,8 @@ ManifestReference write_reference(const fs::path& set_folder, const std::string&
   record.more_eyes = write_eyes(set_folder, record.image, picture.view,
                                 shown_bytes(picture.view, compose_view(picture.view, reference.radiance),
                                             picture.exposure_ev, picture.planar_m));
-  write_png(set_folder / record.object_ids, view_click_map(picture.view, reference.object_ids));
+  record.more_object_ids = write_eyes(set_folder, record.object_ids, picture.view,
+                                      view_click_map(picture.view, reference.object_ids));
   record.image_sha256 = sha256_of_file(set_folder / record.image);
   record.object_ids_sha256 = sha256_of_file(set_folder / record.object_ids);
   return record;

@@ -222,16 +222,18 @@ std::optional<ManifestReference> SetRecords::finished_reference(const std::strin
     reference.object_ids = json->at("object_ids").get<std::string>();
     reference.image_sha256 = json->at("image_sha256").get<std::string>();
     reference.object_ids_sha256 = json->at("object_ids_sha256").get<std::string>();
-    if (json->contains("more_eyes"))
-      for (const Json& eye : json->at("more_eyes"))
-        reference.more_eyes.push_back(
-            {eye.at("image").get<std::string>(), eye.at("sha256").get<std::string>()});
+    for (const auto& [key, eyes] : {std::pair("more_eyes", &reference.more_eyes),
+                                    std::pair("more_object_ids", &reference.more_object_ids)})
+      if (json->contains(key))
+        for (const Json& eye : json->at(key))
+          eyes->push_back({eye.at("image").get<std::string>(), eye.at("sha256").get<std::string>()});
   } catch (const Json::exception&) {
     return std::nullopt;  // a damaged record is unfinished work
   }
   const bool whole = has_hash(set_folder_, reference.image, reference.image_sha256) &&
                      has_hash(set_folder_, reference.object_ids, reference.object_ids_sha256) &&
-                     have_hashes(set_folder_, reference.more_eyes);
+                     have_hashes(set_folder_, reference.more_eyes) &&
+                     have_hashes(set_folder_, reference.more_object_ids);
   return whole ? std::optional(reference) : std::nullopt;
 }
 
@@ -240,8 +242,9 @@ void SetRecords::finish_reference(const ManifestReference& reference, const std:
                {"object_ids", reference.object_ids},
                {"image_sha256", reference.image_sha256},
                {"object_ids_sha256", reference.object_ids_sha256}};
-  for (const EyePicture& eye : reference.more_eyes)
-    json["more_eyes"].push_back({{"image", eye.image}, {"sha256", eye.sha256}});
+  for (const auto& [key, eyes] : {std::pair("more_eyes", &reference.more_eyes),
+                                  std::pair("more_object_ids", &reference.more_object_ids)})
+    for (const EyePicture& eye : *eyes) json[key].push_back({{"image", eye.image}, {"sha256", eye.sha256}});
   write_record(set_folder_ / "records" / ("reference-" + reference.truth + ".json"), inputs, json);
 }
 

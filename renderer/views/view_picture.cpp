@@ -80,6 +80,7 @@ ByteImage view_click_map(const View& view, const ByteImage& all_eyes) {
   switch (view.kind) {
     case ViewKind::mono:
     case ViewKind::side_by_side:
+    case ViewKind::omnidirectional:
       return all_eyes;
     case ViewKind::anaglyph:
     case ViewKind::interleaved:
@@ -87,8 +88,6 @@ ByteImage view_click_map(const View& view, const ByteImage& all_eyes) {
     case ViewKind::depth_image:
       return beside(all_eyes, {all_eyes.width_px, all_eyes.height_px, 1,
                                std::vector<std::uint8_t>(all_eyes.values.size())});
-    case ViewKind::omnidirectional:
-      return eye_of(view, all_eyes, 0);
   }
   return all_eyes;
 }

@@ -25,8 +25,7 @@ namespace seamline::renderer {
 
 /// Which object a click means, of the click map of a view's camera (0 background, objects from 1). Where one
 /// pixel shows several eyes, the object that most of them see there, the left one of equals; the background
-/// only where all see it. Depth beside a picture is background: nothing is chosen there. Of panoramas for
-/// each eye the left eye's.
+/// only where all see it. Depth beside a picture is background: nothing is chosen there.
 [[nodiscard]] ByteImage view_click_map(const View& view, const ByteImage& all_eyes);
 
 }  // namespace seamline::renderer

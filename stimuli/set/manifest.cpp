@@ -34,16 +34,15 @@ Json whole_where_whole(double value) {
 }
 
 /// Of panoramas for each eye only: other sets keep their bytes.
-void add_eyes(const std::vector<EyePicture>& more_eyes, Json& json) {
-  for (const EyePicture& eye : more_eyes)
-    json["more_eyes"].push_back({{"image", eye.image}, {"sha256", eye.sha256}});
+void add_eyes(const char* key, const std::vector<EyePicture>& eyes, Json& json) {
+  for (const EyePicture& eye : eyes) json[key].push_back({{"image", eye.image}, {"sha256", eye.sha256}});
 }
 
-std::vector<EyePicture> read_eyes(const JsonFields& fields, const std::string& file) {
+std::vector<EyePicture> read_eyes(const JsonFields& fields, const char* key, const std::string& file) {
   std::vector<EyePicture> eyes;
-  if (!fields.has("more_eyes")) return eyes;
-  for (const Json& item : fields.array("more_eyes")) {
-    const JsonFields eye(item, file, "more_eyes[" + std::to_string(eyes.size()) + "].");
+  if (!fields.has(key)) return eyes;
+  for (const Json& item : fields.array(key)) {
+    const JsonFields eye(item, file, std::string(key) + "[" + std::to_string(eyes.size()) + "].");
     eyes.push_back({eye.file_below("image"), eye.get<std::string>("sha256")});
   }
   return eyes;
@@ -105,7 +104,7 @@ Json to_json(const ManifestStimulus& record) {
                                {"not_finite_pixels", record.tiny_denominators.not_finite_pixels}};
   json["clipped_share"] = record.clipped_share;
   json["sha256"] = record.sha256;
-  add_eyes(record.more_eyes, json);
+  add_eyes("more_eyes", record.more_eyes, json);
   return json;
 }
 
@@ -237,7 +236,7 @@ ManifestStimulus read_record(const JsonFields& fields, const std::string& file) 
       tiny.get<std::int64_t>("sealed_pixels"), tiny.get<std::int64_t>("not_finite_pixels")};
   record.clipped_share = fields.get<double>("clipped_share");
   record.sha256 = fields.get<std::string>("sha256");
-  record.more_eyes = read_eyes(fields, file);
+  record.more_eyes = read_eyes(fields, "more_eyes", file);
   return record;
 }
 
@@ -248,7 +247,8 @@ Json to_json(const ManifestReference& reference) {
   json["object_ids"] = reference.object_ids;
   json["image_sha256"] = reference.image_sha256;
   json["object_ids_sha256"] = reference.object_ids_sha256;
-  add_eyes(reference.more_eyes, json);
+  add_eyes("more_eyes", reference.more_eyes, json);
+  add_eyes("more_object_ids", reference.more_object_ids, json);
   return json;
 }
 
@@ -317,7 +317,8 @@ Manifest read_manifest(const std::filesystem::path& set_folder) {
     manifest.references.push_back(
         {read_truth(reference, "scene"), reference.file_below("image"), reference.file_below("object_ids"),
          reference.get<std::string>("image_sha256"), reference.get<std::string>("object_ids_sha256"),
-         read_eyes(reference, path.string())});
+         read_eyes(reference, "more_eyes", path.string()),
+         read_eyes(reference, "more_object_ids", path.string())});
   }
   std::set<std::string> ids;
   for (const Json& item : fields.array("stimuli")) {

@@ -89,7 +89,8 @@ struct ManifestReference {
   std::string truth;  ///< as stimuli name it; the scene's name where the scene has one light
   std::string image, object_ids;
   std::string image_sha256, object_ids_sha256;
-  std::vector<EyePicture> more_eyes = {};  ///< as of stimuli
+  std::vector<EyePicture> more_eyes = {};        ///< as of stimuli
+  std::vector<EyePicture> more_object_ids = {};  ///< the click maps beside them
 };
 
 /// A rendered stimulus set: `SET/manifest.json`, byte-equal for equal input.

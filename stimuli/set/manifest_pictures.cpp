@@ -83,20 +83,28 @@ const ManifestReference& reference_of(const fs::path& set_folder, const Manifest
                      .found = "none"});
 }
 
+std::string shown_sha256(const ManifestStimulus& record) {
+  if (record.more_eyes.empty()) return record.sha256;
+  std::string hashes = record.sha256 + "\n";
+  for (const EyePicture& eye : record.more_eyes) hashes += eye.sha256 + "\n";
+  return sha256(hashes);
+}
+
 std::vector<ManifestPicture> manifest_pictures(const Manifest& manifest) {
   std::vector<ManifestPicture> files;
-  const auto add_eyes = [&](const std::vector<EyePicture>& more_eyes) {
-    for (const EyePicture& eye : more_eyes)
-      files.push_back({eye.image, eye.sha256, manifest.width_px, manifest.height_px, 3});
+  const auto add_eyes = [&](const std::vector<EyePicture>& eyes, int channels) {
+    for (const EyePicture& eye : eyes)
+      files.push_back({eye.image, eye.sha256, manifest.width_px, manifest.height_px, channels});
   };
   for (const ManifestReference& reference : manifest.references) {
     files.push_back(reference_picture(manifest, reference));
     files.push_back(click_map_picture(manifest, reference));
-    add_eyes(reference.more_eyes);
+    add_eyes(reference.more_eyes, 3);
+    add_eyes(reference.more_object_ids, 1);
   }
   for (const ManifestStimulus& stimulus : manifest.stimuli) {
     files.push_back(stimulus_picture(manifest, stimulus));
-    add_eyes(stimulus.more_eyes);
+    add_eyes(stimulus.more_eyes, 3);
   }
   const auto less = [](const ManifestPicture& a, const ManifestPicture& b) {
     return std::tie(a.file, a.sha256, a.channels) < std::tie(b.file, b.sha256, b.channels);

@@ -27,6 +27,10 @@ struct ManifestPicture {
 [[nodiscard]] const ManifestReference& reference_of(const std::filesystem::path& set_folder,
                                                     const Manifest& manifest, const Stimulus& stimulus);
 
+/// Identity of what people are shown: the SHA-256 of the picture's file; where each eye has a panorama, of
+/// the hashes of all of them, from the left to the right, one a line.
+[[nodiscard]] std::string shown_sha256(const ManifestStimulus& record);
+
 /// Every picture of a set: references, their click maps, stimuli; each once.
 [[nodiscard]] std::vector<ManifestPicture> manifest_pictures(const Manifest& manifest);
 

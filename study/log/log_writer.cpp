@@ -7,6 +7,7 @@
 #include <exception>
 
 #include "stimuli/definition/looks/condition_tasks.h"
+#include "stimuli/set/manifest_pictures.h"
 #include "stimuli/set/set_study.h"
 #include "stimuli/study_file/study_file.h"
 #include "study/log/log_create.h"
@@ -45,7 +46,7 @@ std::int64_t enter_missing_stimuli(SQLite::Database& database, const std::vector
     const Stimulus& stimulus = stimuli[i].stimulus;
     run(insert, static_cast<std::int64_t>(i), stimuli[i].id, stimulus.scene,
         std::string(word(stimulus.artifact)), stimulus.object, stimulus.object_index, stimulus.depth.width_px,
-        stimulus.depth.yaw_texels, stimuli[i].sha256, stimulus.condition, stimulus.level);
+        stimulus.depth.yaw_texels, shown_sha256(stimuli[i]), stimulus.condition, stimulus.level);
     entered += insert.getChanges();
   }
   return entered;
@@ -104,8 +105,8 @@ void check_stimuli(SQLite::Database& database, const fs::path& path,
         row.getColumn(5).getInt64() != stimulus.object_index ||
         row.getColumn(6).getInt64() != stimulus.depth.width_px ||
         row.getColumn(7).getDouble() != stimulus.depth.yaw_texels ||
-        row.getColumn(8).getString() != record.sha256 || row.getColumn(9).getString() != stimulus.condition ||
-        row.getColumn(10).getDouble() != stimulus.level)
+        row.getColumn(8).getString() != shown_sha256(record) ||
+        row.getColumn(9).getString() != stimulus.condition || row.getColumn(10).getDouble() != stimulus.level)
       break;
     ++same;
   }

@@ -6,6 +6,7 @@
 #include "stimuli/set/manifest_pictures.h"
 #include "study/trials/right_rule.h"
 #include "study/trials/trial_clip.h"
+#include "support/text/error.h"
 
 namespace seamline::study {
 namespace {
@@ -60,7 +61,18 @@ ByteImage load_all_eyes(const RenderedSet& set, const Trial& trial) {
   if (trial.kind == TrialKind::stimulus)
     return read_all_eyes(set.folder, stimulus_picture(set.manifest, record), record.more_eyes);
   const ManifestReference& reference = scene_reference(set, trial);
-  return read_all_eyes(set.folder, reference_picture(set.manifest, reference), reference.more_eyes);
+  const ByteImage picture =
+      read_all_eyes(set.folder, reference_picture(set.manifest, reference), reference.more_eyes);
+  if (trial.kind == TrialKind::reference) return picture;
+  if (reference.more_object_ids.size() != reference.more_eyes.size())
+    throw input_error({.file = (set.folder / "manifest.json").string(),
+                       .field = "references.more_object_ids",
+                       .wanted = "a click map for each eye, which this program writes: render the set again",
+                       .found = "that of the left eye alone"});
+  return attention_image(
+      picture,
+      read_all_eyes(set.folder, click_map_picture(set.manifest, reference), reference.more_object_ids),
+      record.stimulus.object_index);
 }
 
 bool has_more_eyes(const RenderedSet& set, const Trial& trial) {

@@ -16,7 +16,7 @@ namespace seamline::study {
 
 /// Whether the trial has a panorama for each eye.
 [[nodiscard]] bool has_more_eyes(const RenderedSet& set, const Trial& trial);
-/// All eyes' panoramas of a stimulus or a reference, the left eye's on top.
+/// All eyes' panoramas of such a trial, the left eye's on top.
 [[nodiscard]] ByteImage load_all_eyes(const RenderedSet& set, const Trial& trial);
 
 /// Grey between the two pictures of a pair.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "stimuli/pictures/attention_image.h"
+#include "stimuli/set/manifest_pictures.h"
 #include "support/files/hash.h"
 #include "support/text/error.h"
 #include "temporary_set.h"
@@ -23,9 +24,10 @@ ByteImage plain(std::uint8_t code) {
           .values = std::vector<std::uint8_t>(static_cast<std::size_t>(width) * height * 3, code)};
 }
 
-ByteImage three_stripes() {
+ByteImage three_stripes(int to_right_px = 0) {
   ByteImage ids{.width_px = width, .height_px = height, .channels = 1, .values = {}};
-  for (int i = 0; i < width * height; ++i) ids.values.push_back(static_cast<std::uint8_t>((i % width) / 8));
+  for (int i = 0; i < width * height; ++i)
+    ids.values.push_back(static_cast<std::uint8_t>((i + width - to_right_px) % width / 8));
   return ids;
 }
 
@@ -66,6 +68,39 @@ TEST_F(TrialPictureTest, ShowsTheStimulusTheReferenceOrTheReferenceWithOneObject
     EXPECT_EQ(right_object(set, {TrialKind::attention, stimulus}), object);
     EXPECT_EQ(right_object(set, {TrialKind::reference, stimulus}), 0);
   }
+}
+
+TEST_F(TrialPictureTest, EachEyeSeesItsOwnPictureInEveryKindOfTrial) {
+  ManifestStimulus& record = set.manifest.stimuli.front();
+  ManifestReference& reference = set.manifest.references.front();
+  const auto add = [&](const char* file, const ByteImage& picture) {
+    write_png(set.folder / file, picture);
+    return EyePicture{file, sha256_of_file(set.folder / file)};
+  };
+  const std::string one_eye = shown_sha256(record);
+  EXPECT_EQ(one_eye, record.sha256);
+  record.more_eyes = {add("right.png", plain(11))};
+  EXPECT_NE(shown_sha256(record), one_eye);
+  const std::string both_eyes = shown_sha256(record);
+  record.more_eyes = {add("other.png", plain(12))};
+  EXPECT_NE(shown_sha256(record), both_eyes) << "the right eye's picture belongs to what is shown";
+  record.more_eyes = {{"right.png", sha256_of_file(set.folder / "right.png")}};
+  reference.more_eyes = {add("room-right.png", plain(101))};
+  const auto complaint = test::complaint_of([&] { (void)load_all_eyes(set, {TrialKind::attention, 0}); });
+  EXPECT_THAT(complaint, HasSubstr("a click map for each eye"));
+  reference.more_object_ids = {add("room-right-ids.png", three_stripes(3))};
+
+  const auto stacked = [](const ByteImage& left, const ByteImage& right) {
+    std::vector<std::uint8_t> both = left.values;
+    both.insert(both.end(), right.values.begin(), right.values.end());
+    return both;
+  };
+  const auto shown = [&](TrialKind kind) { return load_all_eyes(set, {kind, 0}).values; };
+  EXPECT_EQ(shown(TrialKind::stimulus), stacked(plain(10), plain(11)));
+  EXPECT_EQ(shown(TrialKind::reference), stacked(plain(100), plain(101)));
+  const int object = record.stimulus.object_index;
+  EXPECT_EQ(shown(TrialKind::attention), stacked(attention_image(plain(100), three_stripes(), object),
+                                                 attention_image(plain(101), three_stripes(3), object)));
 }
 
 TEST_F(TrialPictureTest, NamesTheFileThatIsMissingHasOtherBytesOrAnotherSize) {

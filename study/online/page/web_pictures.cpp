@@ -36,8 +36,7 @@ std::string png_bytes(const ByteImage& picture) {
 std::string picture_bytes(const RenderedSet& set, const Trial& trial) {
   if (shows_clips(set)) return clip_bytes(set, trial);
   const ManifestStimulus& record = record_at(set, trial.stimulus);
-  if (has_more_eyes(set, trial) && trial.kind != TrialKind::attention)
-    return png_bytes(load_all_eyes(set, trial));
+  if (has_more_eyes(set, trial)) return png_bytes(load_all_eyes(set, trial));
   switch (trial.kind) {
     case TrialKind::stimulus:
       return checked_bytes(set, stimulus_picture(set.manifest, record));
@@ -67,8 +66,7 @@ ByteImage whole_panorama(const RenderedSet& set, const Trial& trial) {
 std::string add_panorama(const RenderedSet& set, const Trial& trial, WebFiles& files, WebPictures& pictures) {
   const std::string whole = picture_bytes(set, trial);
   const Trial reference{.kind = TrialKind::reference, .stimulus = trial.stimulus};
-  const bool one_eye_for_both = has_more_eyes(set, trial) && trial.kind == TrialKind::attention;
-  if (trial.kind != TrialKind::reference && !one_eye_for_both) {
+  if (trial.kind != TrialKind::reference) {
     const std::string apart =
         png_bytes(difference_from(whole_panorama(set, reference), whole_panorama(set, trial)));
     if (apart.size() < whole.size()) {
