@@ -114,7 +114,7 @@ class SetRenderer {
         .study = study_, .stimuli = stimuli_, .moving = moving_, .set_folder = request_.set_folder};
     subject.inputs_of_truth = [this](const std::string& truth) { return hashes_.of_reference(truth); };
     subject.inputs_of_stimulus = [this](const Stimulus& one) { return hashes_.of_stimulus(one); };
-    subject.estimator_of = [this](const TruthScene& scene) { return estimator_of(scene); };
+    subject.estimator_of = [this](const TruthScene& scene) { return estimator_of(scene, Frame::decides); };
     subject.depth_of = [this](const TruthScene& scene, const SceneEstimator& estimator, const Stimulus& one) {
       return depth_of(scene, estimator, one);
     };
@@ -164,9 +164,12 @@ class SetRenderer {
     };
   }
 
-  [[nodiscard]] std::unique_ptr<SceneEstimator> estimator_of(const TruthScene& scene) const {
-    EstimateOptions options = estimate_options(stimuli_.at(truth_of(scene.definition)), settings_, threads_);
-    options.keeps_error_maps = decisions_.has_value();
+  enum class Frame { decides, shown };
+  [[nodiscard]] std::unique_ptr<SceneEstimator> estimator_of(const TruthScene& scene, Frame frame) const {
+    const std::string& truth = truth_of(scene.definition);
+    EstimateOptions options = estimate_options(stimuli_.at(truth), settings_, threads_);
+    options.keeps_error_maps = decisions_ && frame == Frame::shown;
+    options.judges_decided = !decisions_ || frame == Frame::decides || is_judged(truth, shown_.clip->frames);
     return make_estimator(settings_.estimator, scene, options);
   }
 
@@ -190,8 +193,8 @@ class SetRenderer {
     if (!wanted_.contains(definition.truth)) return;
     const TruthScene scene =
         shown_.clip ? moving_.load(definition) : std::move(scenes_.extract(definition.truth).mapped());
-    const std::unique_ptr<SceneEstimator> estimator = estimator_of(scene);
-    if (decisions_) estimator->hold_to(decisions_->of_truth(definition.truth));
+    const std::unique_ptr<SceneEstimator> estimator = estimator_of(scene, Frame::shown);
+    if (decisions_) decisions_->hold(*estimator, definition.truth);
     if (request_.part == JobPart::stimuli && estimator->truth_pieces() == 1) take_truth(scene, 1, *estimator);
     finish_reference(scene, *estimator);
     if (request_.part == JobPart::truth) leave_truth(scene, *estimator);
@@ -202,14 +205,8 @@ class SetRenderer {
 
   /// What another process made of the truth; what is not there is made here.
   void take_truth(const TruthScene& scene, int piece, SceneEstimator& estimator) {
-    const std::string& name = scene.definition.truth;
-    const std::optional<std::string> bytes = truths_of_others_.read(name, piece, hashes_.of_reference(name));
-    if (!bytes) return;
-    ByteReader in(*bytes);
-    if (!estimator.read_truth(piece, in))
-      throw input_error({.file = (request_.set_folder / "truths").string(),
-                         .wanted = "truth passes of this program",
-                         .found = "another's of " + name + ": remove the folder"});
+    truths_of_others_.take(scene.definition.truth, piece, hashes_.of_reference(scene.definition.truth),
+                           estimator);
   }
 
   void leave_truth(const TruthScene& scene, SceneEstimator& estimator) {

@@ -13,7 +13,12 @@ namespace {
 /// Scenes whose camera or background moves are of no use to each other.
 constexpr std::size_t most_kept = 8;
 
-/// What scenes share that differ only in where their objects stand.
+bool stands_as(const ObjectDefinition& a, const ObjectDefinition& b) {
+  return a.position_m == b.position_m && a.rotation_deg == b.rotation_deg && a.file == b.file;
+}
+
+}  // namespace
+
 std::string unmoved_meaning(SceneDefinition scene) {
   for (ObjectDefinition& object : scene.objects) {
     object.position_m = object.rotation_deg = Eigen::Vector3d::Zero();
@@ -21,12 +26,6 @@ std::string unmoved_meaning(SceneDefinition scene) {
   }
   return canonical_text(scene);
 }
-
-bool stands_as(const ObjectDefinition& a, const ObjectDefinition& b) {
-  return a.position_m == b.position_m && a.rotation_deg == b.rotation_deg && a.file == b.file;
-}
-
-}  // namespace
 
 TruthScene MovingScenes::load(const SceneDefinition& definition) {
   const std::string meaning = unmoved_meaning(definition);

@@ -10,6 +10,9 @@
 
 namespace seamline::renderer {
 
+/// What scenes share that differ only in where their objects stand, and in what moment of an animation.
+[[nodiscard]] std::string unmoved_meaning(SceneDefinition scene);
+
 /// Scenes that differ in where their objects stand share everything else: background, light, and the meshes
 /// of objects that stand where they stood. What it loads equals `load_truth_scene`, bit for bit. Where the
 /// camera or the background moves, nothing is shared.

@@ -32,6 +32,14 @@ void SceneEstimator::hold_to(const PhotographDecision&) {
   throw decides_nothing();
 }
 
+std::shared_ptr<const FrameBase> SceneEstimator::frame_base(const ReportProgress&) {
+  return nullptr;
+}
+
+void SceneEstimator::sample_beside(std::function<std::shared_ptr<const FrameBase>()>) {
+  throw decides_nothing();
+}
+
 EstimatedStimulus SceneEstimator::decided_stimulus(const Recipe&, const DepthWorld&, const StimulusDecision&,
                                                    const ReportProgress&) {
   throw decides_nothing();

@@ -15,6 +15,8 @@
 
 namespace seamline::renderer {
 
+struct FrameBase;
+
 /// How a pass over all pixels runs.
 struct PassOptions {
   int spp = 64;
@@ -84,6 +86,12 @@ class SceneEstimator {
   [[nodiscard]] virtual bool read_truth(int piece, ByteReader& in) = 0;
   /// What was left out so far; nothing by an estimator that leaves nothing out.
   [[nodiscard]] virtual Savings savings() const { return {}; }
+  /// The photograph of this scene, sampled as it holds to, by which other frames of its clip need fewer
+  /// samples. Null: this estimator has none.
+  [[nodiscard]] virtual std::shared_ptr<const FrameBase> frame_base(const ReportProgress& progress);
+  /// From now on the photograph is what few samples change in that of a base, as far as these suffice.
+  /// `base` is called when it is sampled, and may return null. After `hold_to`.
+  virtual void sample_beside(std::function<std::shared_ptr<const FrameBase>()> base);
 };
 
 [[nodiscard]] std::unique_ptr<SceneEstimator> make_estimator(Estimator kind, const TruthScene& scene,

@@ -23,6 +23,8 @@ struct EstimateOptions {
   /// One geometry answers for all light of each stimulus; none takes bounce light of one and sky of the
   /// other.
   bool light_of_one_geometry = false;
+  /// Whether errors are estimated where samples are decided beforehand (`SceneEstimator::hold_to`).
+  bool judges_decided = true;
 };
 
 /// Everything that an estimator decides about a scene before it has seen a sample: how many samples, which

@@ -40,6 +40,23 @@ inline constexpr std::array<OmissionName, 7> omission_names = {
 /// The names of those turned off, for hashes; empty when all are on.
 [[nodiscard]] std::string turned_off(const Omissions& omissions);
 
+/// How the blocks of frames of clips came to their samples.
+struct FrameBlocks {
+  std::int64_t as_in_base = 0;   ///< every path found what it found in the base
+  std::int64_t beside_base = 0;  ///< the base and what few samples changed
+  std::int64_t anew = 0;         ///< all samples
+  std::int64_t rays_spared = 0;  ///< of those that the base has
+
+  [[nodiscard]] std::int64_t count() const { return as_in_base + beside_base + anew; }
+  FrameBlocks& operator+=(const FrameBlocks& other) {
+    rays_spared += other.rays_spared;
+    as_in_base += other.as_in_base;
+    beside_base += other.beside_base;
+    anew += other.anew;
+    return *this;
+  }
+};
+
 /// What omissions saved in a scene, from counters.
 struct Savings {
   RayCounts joint;                    ///< of the pass that all stimuli share
@@ -50,6 +67,7 @@ struct Savings {
   std::int64_t untouched_blocks = 0;  ///< not asked, over all stimuli
   std::int64_t untouched_rays = 0;    ///< their camera rays, which is the least they would have cost
   std::int64_t order_bytes = 0;       ///< who is in front on each ray, not kept
+  FrameBlocks frames = {};            ///< of the photographs of clips
 
   [[nodiscard]] RayCounts counts() const { return joint + depth; }
 };

@@ -106,6 +106,24 @@ const PhotographDecision& ClipDecisions::of_truth(const std::string& truth) {
   return of_truths_.at(group.name);
 }
 
+void ClipDecisions::hold(SceneEstimator& estimator, const std::string& truth) {
+  estimator.hold_to(of_truth(truth));
+  estimator.sample_beside([this, truth] { return base_of(truth); });
+}
+
+std::shared_ptr<const FrameBase> ClipDecisions::base_of(const std::string& truth) {
+  const std::size_t g = group_of_truth_.at(truth);
+  if (truth_groups_[g].members.size() <= deciding_[g].size()) return nullptr;
+  if (base_ && group_of_base_ == g) return base_;
+  const std::string& frame = deciding_[g][deciding_[g].size() / 2];
+  const TruthScene scene = subject_.moving.load(scenes_.at(frame));
+  const auto estimator = subject_.estimator_of(scene);
+  estimator->hold_to(of_truth(frame));
+  base_ = estimator->frame_base([&](double) { subject_.tell("samples of " + frame); });
+  group_of_base_ = g;
+  return base_;
+}
+
 const StimulusDecision& ClipDecisions::of_stimulus(const std::string& id) {
   const Group& group = stimulus_groups_[group_of_stimulus_.at(id)];
   if (const auto known = of_stimuli_.find(group.name); known != of_stimuli_.end()) return known->second;

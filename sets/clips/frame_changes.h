@@ -10,6 +10,11 @@
 
 namespace seamline::renderer {
 
+/// Whether the errors of a frame are estimated, by the name of its truth: two neighbours of every eight,
+/// which is what the error of a clip and that of its changes are known from; all of a clip of 16 frames or
+/// fewer.
+[[nodiscard]] bool is_judged(const std::string& truth, int frames);
+
 /// The error of the change from each frame of a clip to the next, as frames are rendered one after another:
 /// the last frame's map of each clip is kept until the next is there.
 class FrameChanges {

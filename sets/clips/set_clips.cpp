@@ -35,7 +35,8 @@ ClipRecord write_clip(const fs::path& set_folder, const std::string& name, const
   return {.name = name, .file = file, .sha256 = sha256(bytes)};
 }
 
-/// What the manifest says of a clip: its middle frame, the rays of all, the error over all, and the worst
+/// What the manifest says of a clip: its middle frame, the rays of all, the error over those that
+/// were judged, and the worst
 /// else that any has.
 ManifestStimulus record_of_clip(const Clip& clip, const std::vector<const ManifestStimulus*>& frames) {
   ManifestStimulus record = *frames[frames.size() / 2];
@@ -44,8 +45,11 @@ ManifestStimulus record_of_clip(const Clip& clip, const std::vector<const Manife
   record.rays = 0;
   record.tiny_denominators = {};
   double square = 0;
-  for (const ManifestStimulus* frame : frames) square += std::pow(frame->rmse.value_or(0), 2);
-  if (record.rmse) record.rmse = std::sqrt(square / static_cast<double>(frames.size()));
+  int judged = 0;
+  for (const ManifestStimulus* frame : frames)
+    if (frame->rmse) square += *frame->rmse * *frame->rmse, ++judged;
+  record.rmse.reset();
+  if (judged > 0) record.rmse = std::sqrt(square / judged);
   std::set<const ManifestStimulus*> counted;
   for (const ManifestStimulus* frame : frames) {
     if (!counted.insert(frame).second) continue;

@@ -217,6 +217,13 @@ std::string explain_savings(const std::string& scene, const Savings& savings) {
     row("path_tails", left_out * rays_each,
         fmt::format("{} tails at {:.2f} rays", millions(left_out), rays_each));
   }
+  if (const FrameBlocks& blocks = savings.frames; blocks.count() > 0) {
+    const double percent = 100.0 / static_cast<double>(blocks.count());
+    row("shared_frames", static_cast<double>(blocks.rays_spared),
+        fmt::format("{:.0f} % of the blocks as in the clip's base, {:.0f} % beside it",
+                    percent * static_cast<double>(blocks.as_in_base),
+                    percent * static_cast<double>(blocks.beside_base)));
+  }
   row("ratio_samples", savings.ratio_rays,
       fmt::format("{} samples of the depth mesh", millions(static_cast<double>(savings.ratio_samples))));
   row("untouched_tiles", static_cast<double>(savings.untouched_rays),

@@ -44,6 +44,17 @@ std::optional<std::string> SetTruths::read(const std::string& truth, int piece,
   return sha256(all) == expected ? std::optional(std::move(all)) : std::nullopt;
 }
 
+void SetTruths::take(const std::string& truth, int piece, const std::string& inputs,
+                     SceneEstimator& estimator) const {
+  const std::optional<std::string> bytes = read(truth, piece, inputs);
+  if (!bytes) return;
+  ByteReader in(*bytes);
+  if (!estimator.read_truth(piece, in))
+    throw input_error({.file = folder_.string(),
+                       .wanted = "truth passes of this program",
+                       .found = "another's of " + truth + ": remove the folder"});
+}
+
 bool SetTruths::has(const std::string& truth, int piece, const std::string& inputs) const {
   std::array<char, hash_digits> start{};
   std::ifstream in(path(truth, piece), std::ios::binary);

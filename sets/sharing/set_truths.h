@@ -3,6 +3,8 @@
 #include <optional>
 #include <string>
 
+#include "renderer/estimators/estimator.h"
+
 namespace seamline::renderer {
 
 /// Truth passes that one process made and others take instead of making them again:
@@ -17,6 +19,9 @@ class SetTruths {
   /// None when it is not there, not whole, or of other inputs: then it is made again.
   [[nodiscard]] std::optional<std::string> read(const std::string& truth, int piece,
                                                 const std::string& inputs) const;
+  /// Gives an estimator what `read` reads, where that is something. Throws InputError when the estimator
+  /// cannot read it.
+  void take(const std::string& truth, int piece, const std::string& inputs, SceneEstimator& estimator) const;
   [[nodiscard]] bool has(const std::string& truth, int piece, const std::string& inputs) const;
   void remove_all() const;
 

@@ -47,6 +47,15 @@ TEST(ClipDecisions, AreReadAgainAndOnlyOfTheSameInputs) {
   EXPECT_FALSE(read_photograph_decision(set, "truth-room", "abc"));
 }
 
+TEST(ClipDecisions, ErrorsAreEstimatedOfTwoNeighboursOfEveryEight) {
+  std::vector<int> judged;
+  for (int frame = 0; frame < 20; ++frame)
+    if (is_judged("room+slow@0" + std::to_string(100 + frame).substr(1), 48)) judged.push_back(frame);
+  EXPECT_EQ(judged, (std::vector<int>{0, 1, 8, 9, 16, 17}));
+  EXPECT_TRUE(is_judged("room@010", 16));
+  EXPECT_TRUE(is_judged("room", 48));
+}
+
 TEST(ClipChangeErrors, AreMeansOverTheKnownChangesAndAStandingPictureHasNone) {
   const FrameChangeErrors errors = {{{"b", "a"}, 4e-6}, {{"c", "b"}, 8e-6}};
   const ClipChangeError error = clip_change_error({"a", "a", "b", "c", "d"}, errors);

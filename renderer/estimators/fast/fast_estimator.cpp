@@ -6,6 +6,7 @@
 #include "renderer/estimators/estimator.h"
 #include "renderer/estimators/fast/fast_stimulus.h"
 #include "renderer/estimators/fast/fast_truth_pass.h"
+#include "renderer/estimators/fast/frame_sums.h"
 #include "renderer/estimators/fast/photograph_error.h"
 #include "renderer/estimators/fast/scene_sums_bytes.h"
 #include "renderer/estimators/fast/truth_sums.h"
@@ -40,6 +41,7 @@ class FastEstimator : public SceneEstimator {
         seed_(options.seed),
         threads_(options.threads),
         seen_(find_seen_emission(scene_, threads_)),
+        judges_decided_(options.judges_decided),
         keeps_error_maps_(options.keeps_error_maps),
         scene_geometry_(std::make_unique<const SceneGeometry>(scene_)),
         sums_(empty_sums(scene.camera, scene.objects.size())) {
@@ -66,7 +68,7 @@ class FastEstimator : public SceneEstimator {
     object_index_ = object_index;
     truth_ = truth_sums(sums_, scene_.camera, scene_.light, object_index,
                         {.filter = filter(), .sky_apart = true, .threads = threads_});
-    if (keeps_error_maps_) find_filtered(object_index);
+    if (keeps_maps()) find_filtered(object_index);
   }
 
   [[nodiscard]] const ObjectGeometry& geometry() const override { return *geometry_; }
@@ -89,6 +91,16 @@ class FastEstimator : public SceneEstimator {
     if (!scene_geometry_) scene_geometry_ = std::make_unique<const SceneGeometry>(scene_);
   }
 
+  [[nodiscard]] std::shared_ptr<const FrameBase> frame_base(const ReportProgress& progress) override {
+    if (!held_) return nullptr;
+    return std::make_shared<const FrameBase>(
+        make_frame_base(scene_, SceneGeometry(scene_), choices_, held_->spp, pass(progress)));
+  }
+
+  void sample_beside(std::function<std::shared_ptr<const FrameBase>()> base) override {
+    base_ = std::move(base);
+  }
+
   [[nodiscard]] EstimatedStimulus decided_stimulus(const Recipe& recipe, const DepthWorld& depth,
                                                    const StimulusDecision& decision,
                                                    const ReportProgress& progress) override {
@@ -97,6 +109,7 @@ class FastEstimator : public SceneEstimator {
                       .threads = threads_,
                       .filter = filter(),
                       .decision = &decision,
+                      .judges = judges_decided_,
                       .progress = progress});
   }
 
@@ -153,16 +166,22 @@ class FastEstimator : public SceneEstimator {
                             .truth_sums = truth_,
                             .error = judged_.error(object_index_),
                             .seen = seen_.get()};
-    options.keeps_pictures = keeps_error_maps_;
+    options.keeps_pictures = keeps_maps();
     FastStimulus made = render_fast_stimulus(truth, depth, recipe, choices_, options);
     add(made.saved);
-    EstimatedStimulus out{std::move(made.sums), made.error.rmse(), made.error.worst_tile(),
-                          std::move(made.decision)};
-    if (keeps_error_maps_)
+    EstimatedStimulus out{
+        .sums = std::move(made.sums), .rmse = {}, .worst_tile = {}, .decision = std::move(made.decision)};
+    if (options.judges || options.decision == nullptr) {
+      out.rmse = made.error.rmse();
+      out.worst_tile = made.error.worst_tile();
+    }
+    if (keeps_maps())
       out.error_map =
           error_map(made.pictures, filtered_, scene_.definition.exposure_ev, threads_, sums_.grid.wraps);
     return out;
   }
+
+  [[nodiscard]] bool keeps_maps() const { return keeps_error_maps_ && (judges_decided_ || !held_); }
 
   /// What the filter changed in the photograph of an object, in each half.
   void find_filtered(int object_index) {
@@ -184,16 +203,20 @@ class FastEstimator : public SceneEstimator {
     saved_.untouched_rays += stimulus.untouched_rays;
   }
 
+  [[nodiscard]] ScenePassOptions pass(const ReportProgress& progress) const {
+    return {.seed = seed_,
+            .threads = threads_,
+            .tail_every = choices_.tail_every,
+            .first_sky = first_sky(choices_),
+            .who_is_in_front = choices_.keeps_who_is_in_front,
+            .seen = seen_.get(),
+            .progress = progress};
+  }
+
   /// The truth pass: once a scene.
   void sample(const ReportProgress& progress) {
     if (!scene_geometry_) return;
-    ScenePassOptions options{.seed = seed_,
-                             .threads = threads_,
-                             .tail_every = choices_.tail_every,
-                             .first_sky = first_sky(choices_),
-                             .who_is_in_front = choices_.keeps_who_is_in_front,
-                             .seen = seen_.get(),
-                             .progress = {}};
+    ScenePassOptions options = pass({});
     // Rounds are not known beforehand: each takes half of what is left of the progress bar.
     double done = 0, part = choices_.error ? 0.5 : 1.0;
     options.progress = [&](double share) {
@@ -221,11 +244,27 @@ class FastEstimator : public SceneEstimator {
   }
 
   void sample_as_held(const ScenePassOptions& options) {
-    add_samples(scene_, *scene_geometry_, held_->spp, options, sums_);
+    const std::shared_ptr<const FrameBase> base = base_ ? base_() : nullptr;
+    if (base && may_be_base(*base, scene_.definition, choices_))
+      saved_.frames += add_samples_beside(*base, scene_, *scene_geometry_, options, sums_);
+    else
+      add_samples(scene_, *scene_geometry_, held_->spp, options, sums_);
     judged_.strength = held_->strength;
-    const PhotographHalves sampled = photograph(1, no_filter);
-    for (int k = 1; k <= 3; ++k) judged_.error(k) = error_with(k, judged_.strength, sampled);
     scene_geometry_.reset();
+    if (!judges_decided_) {
+      for (ErrorEstimate& error : judged_.errors) error = unknown_error();
+      return;
+    }
+    const PhotographHalves sampled = photograph(1, no_filter);
+    for (const int k : scene_.object_indices()) judged_.error(k) = error_with(k, judged_.strength, sampled);
+  }
+
+  /// As large as an estimate.
+  [[nodiscard]] ErrorEstimate unknown_error() const {
+    ErrorEstimate error;
+    error.tiles.resize(static_cast<std::size_t>(sums_.grid.count()));
+    error.blocks.resize(static_cast<std::size_t>(sums_.blocks().count()));
+    return error;
   }
 
   [[nodiscard]] SamplingState state(const ErrorEstimate& error) const {
@@ -299,9 +338,11 @@ class FastEstimator : public SceneEstimator {
   const std::uint64_t seed_;
   const int threads_;
   const std::shared_ptr<const SeenEmission> seen_;  ///< null: nothing small that emits is in view
+  const bool judges_decided_;
   const bool keeps_error_maps_;
-  std::optional<PhotographDecision> held_;               ///< in place of rounds
-  std::unique_ptr<const SceneGeometry> scene_geometry_;  ///< until the truth pass is done
+  std::optional<PhotographDecision> held_;                  ///< in place of rounds
+  std::function<std::shared_ptr<const FrameBase>()> base_;  ///< when it is sampled; empty: none
+  std::unique_ptr<const SceneGeometry> scene_geometry_;     ///< until the truth pass is done
   SceneSums sums_;
   PhotographJudgement judged_;
   int object_index_ = 0;

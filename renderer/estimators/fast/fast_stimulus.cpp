@@ -62,6 +62,7 @@ class StimulusRounds {
                 depth_);
       out.sums = {};  // the round before's: one at a time in memory
       out.sums = assembled(filters());
+      if (options_.decision != nullptr && !options_.judges) break;
       const Judged judged = judge(out.sums, looks_for_bias, round);
       looks_for_bias = judged.knows_bias;
       out.error = judged.judgement.error;

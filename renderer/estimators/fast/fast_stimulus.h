@@ -18,6 +18,7 @@ struct FastStimulusOptions {
   FilterStrength filter = no_filter;            ///< of bounce light on the object: the photograph's
   std::optional<Compositing> compositing = {};  ///< none: as the world of depth says
   const StimulusDecision* decision = nullptr;   ///< in place of a target: how it is sampled
+  bool judges = true;                           ///< else nothing is said of its error, where that is decided
   bool keeps_pictures = false;                  ///< those that its error is estimated from
   std::function<void(double share_done)> progress = {};
 };
