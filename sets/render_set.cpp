@@ -321,7 +321,7 @@ class SetRenderer {
     give_depth_parallax(scene, estimator.truth(), depth != nullptr ? &depth->geometry : nullptr, made.sums,
                         threads_, composite);
     ErrorNotes notes{.worst_tile = made.worst_tile};
-    if (request_.error)
+    if (request_.error && made.rmse)
       notes.rare_light =
           rare_light_share(made.sums, composite.picture, scene.definition.exposure_ev, threads_);
     if (made.error_map) notes.changes = changes_.add(id, std::move(*made.error_map));

@@ -1,4 +1,5 @@
-// SONA and MTurk, by stand-ins that do what their public documentation says. SONA puts a number into the study's address where it says
+// SONA and MTurk, by stand-ins. SONA's does what our recipe says (no public documentation of it was found), MTurk's opens a tab
+// where MTurk itself shows a frame. SONA puts a number into the study's address where it says
 // %SURVEY_CODE%, and gives credit to the number with which webstudy_credit.aspx is called. MTurk appends assignmentId, hitId, workerId and
 // turkSubmitTo, without a workerId in a preview, and takes a code that the worker copies. Screenshots go to WORK/shots.
 import assert from "node:assert/strict";
