@@ -10,7 +10,7 @@ inline constexpr std::array<std::string_view, 3> words_of<LookKind> = {"fixed", 
 [[nodiscard]] std::string fault_of_yaw(const LookDefinition& look);
 [[nodiscard]] std::string fault_of_pitch(const LookDefinition& look);
 
-/// `[look]`. Whether `start_deg` lies within the other angles is checked by study_file_look.cpp.
+/// `[look]`. Whether `start_deg` and `horizontal_fov_deg` lie within the other angles is checked by study_file_look.cpp.
 template <>
 inline constexpr auto settings_of<LookDefinition> = std::to_array<Setting<LookDefinition>>({
     {.key = "kind",
@@ -66,6 +66,15 @@ inline constexpr auto settings_of<LookDefinition> = std::to_array<Setting<LookDe
      .beside = {"kind", {"mouse"}},
      .wording = {.before = " start within ", .written = Written::where_unusual},
      .changes = Changes::presentation},
+    {.key = "fov_limits_deg",
+     .slot = &LookDefinition::fov_limits_deg,
+     .range = {10, 140, "degrees"},
+     .meaning = "Between which + and - change the field, by 5 degrees; around `horizontal_fov_deg`.",
+     .beside = {"kind", {"mouse"}},
+     .wording = {.before = " field ", .written = Written::where_unusual},
+     .changes = Changes::presentation,
+     .form = "the least and the largest field",
+     .usual = "none"},
     {.key = "follows_device",
      .slot = &LookDefinition::follows_device,
      .meaning = "A telephone or tablet that is turned turns the view, in pages.",

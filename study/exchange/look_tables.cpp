@@ -1,5 +1,6 @@
 #include "study/exchange/look_tables.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "study/exchange/look_records.h"
@@ -15,10 +16,20 @@ CsvTable table_of_poses(const std::vector<LookedTrial>& looks) {
                              {"yaw_deg", "degrees", "to the right of the scene camera's direction"},
                              {"pitch_deg", "degrees", "up from the horizon"}},
                  .rows = {}};
+  const bool has_field = std::any_of(looks.begin(), looks.end(), [](const LookedTrial& one) {
+    return std::any_of(one.poses.begin(), one.poses.end(),
+                       [](const PoseAt& at) { return at.fov_deg.has_value(); });
+  });
+  if (has_field)
+    table.columns.push_back(
+        {"fov_deg", "degrees", "horizontal field of view; empty where keys cannot change it"});
   for (const LookedTrial& one : looks)
-    for (const PoseAt& at : one.poses)
+    for (const PoseAt& at : one.poses) {
       table.rows.push_back(
           {one.participant, std::int64_t{one.trial_index}, 1e-3 * at.ms, at.pose.yaw_deg, at.pose.pitch_deg});
+      if (has_field)
+        table.rows.back().push_back(at.fov_deg ? CsvValue(*at.fov_deg) : CsvValue(std::string()));
+    }
   return table;
 }
 

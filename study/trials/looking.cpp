@@ -130,6 +130,11 @@ Pose turned(const LookDefinition& look, const Pose& pose, double right_deg, doub
           clamp_to(pose.pitch_deg + up_deg, look.pitch_deg)};
 }
 
+double zoomed_fov_deg(const LookDefinition& look, int steps_nearer) {
+  if (look.kind != LookKind::mouse || !look.fov_limits_deg) return look.horizontal_fov_deg;
+  return clamp_to(look.horizontal_fov_deg - 5 * steps_nearer, *look.fov_limits_deg);
+}
+
 Pose pose_towards(const ObjectMap& map, const PictureFrame& frame) {
   const double x = (frame.x_px + frame.width_px / 2) / map.width_px,
                y = (frame.y_px + frame.height_px / 2) / map.height_px;
@@ -151,8 +156,9 @@ void PoseRecorder::write(const Moment& moment) {
   waiting_.reset();
   // Less than half of the last decimal is no minus.
   const auto decimal = [](double value) { return std::round(value * 10) / 10 + 0.0; };
-  const std::string text =
+  std::string text =
       fmt::format("{:.1f} {:.1f}", decimal(moment.pose.yaw_deg), decimal(moment.pose.pitch_deg));
+  if (moment.fov_deg) text += fmt::format(" {:.1f}", *moment.fov_deg);
   if (last_ == text) return;
   last_ = text;
   last_ms_ = moment.ms;
@@ -163,17 +169,22 @@ void PoseRecorder::write(const Moment& moment) {
     texts_.back() += ";" + entry;
 }
 
-void PoseRecorder::add(double ms, const Pose& pose) {
-  if (waiting_ && ms - last_ms_ >= least_gap_ms)
-    write({std::max(waiting_->ms, last_ms_ + least_gap_ms), waiting_->pose});
+void PoseRecorder::write_waiting() {
+  Moment moment = *waiting_;
+  moment.ms = std::max(moment.ms, last_ms_ + least_gap_ms);
+  write(moment);
+}
+
+void PoseRecorder::add(double ms, const Pose& pose, std::optional<double> fov_deg) {
+  if (waiting_ && ms - last_ms_ >= least_gap_ms) write_waiting();
   if (!last_ || ms - last_ms_ >= least_gap_ms)
-    write({ms, pose});
+    write({ms, pose, fov_deg});
   else
-    waiting_ = Moment{ms, pose};
+    waiting_ = Moment{ms, pose, fov_deg};
 }
 
 std::vector<std::string> PoseRecorder::take() {
-  if (waiting_) write({std::max(waiting_->ms, last_ms_ + least_gap_ms), waiting_->pose});
+  if (waiting_) write_waiting();
   last_.reset();
   return std::exchange(texts_, {});
 }
@@ -184,9 +195,12 @@ std::optional<std::vector<PoseAt>> poses_of(const std::string& text) {
   const char* const end = at + text.size();
   while (at != end) {
     PoseAt one;
-    if (!take_number(at, end, ' ', one.ms) || !take_number(at, end, ' ', one.pose.yaw_deg) ||
-        !take_number(at, end, ';', one.pose.pitch_deg))
+    if (!take_number(at, end, ' ', one.ms) || !take_number(at, end, ' ', one.pose.yaw_deg))
       return std::nullopt;
+    const char* const stop = std::find_if(at, end, [](char c) { return c == ' ' || c == ';'; });
+    const bool has_field = stop != end && *stop == ' ';
+    if (!take_number(at, end, has_field ? ' ' : ';', one.pose.pitch_deg)) return std::nullopt;
+    if (has_field && !take_number(at, end, ';', one.fov_deg.emplace())) return std::nullopt;
     poses.push_back(one);
   }
   return poses;

@@ -49,16 +49,20 @@ struct ViewPlace {
 
 /// Turned by so many degrees, within the look's limits; a view that does not turn stays.
 [[nodiscard]] Pose turned(const LookDefinition& look, const Pose& pose, double right_deg, double up_deg);
+/// The field after so many steps nearer, of 5 degrees each, within the look's limits; its own where it has
+/// none.
+[[nodiscard]] double zoomed_fov_deg(const LookDefinition& look, int steps_nearer);
 /// The pose whose middle is a frame's.
 [[nodiscard]] Pose pose_towards(const ObjectMap& map, const PictureFrame& frame);
 /// Degrees that one pixel of the view's middle spans.
 [[nodiscard]] double degrees_per_pixel(const LookDefinition& look);
 
 /// The poses of a trial as the details of events of kind `look`: "MS YAW PITCH;...", degrees with a decimal,
-/// milliseconds from the picture's onset; at most 30 a second, and only what changed.
+/// milliseconds from the picture's onset; at most 30 a second, and only what changed. Where the field of view
+/// can change, "MS YAW PITCH FIELD;...".
 class PoseRecorder {
  public:
-  void add(double ms, const Pose& pose);
+  void add(double ms, const Pose& pose, std::optional<double> fov_deg = {});
   /// All there are, in texts of at most 4000 bytes; empty again.
   [[nodiscard]] std::vector<std::string> take();
 
@@ -66,8 +70,10 @@ class PoseRecorder {
   struct Moment {
     double ms = 0;
     Pose pose;
+    std::optional<double> fov_deg = {};
   };
   void write(const Moment& moment);
+  void write_waiting();
 
   std::vector<std::string> texts_;
   double last_ms_ = 0;
@@ -79,6 +85,7 @@ class PoseRecorder {
 struct PoseAt {
   double ms = 0;
   Pose pose;
+  std::optional<double> fov_deg = {};  ///< of a view whose field can change
 };
 [[nodiscard]] std::optional<std::vector<PoseAt>> poses_of(const std::string& text);
 

@@ -1,14 +1,16 @@
 """A whole session of a study that looks round, in the window under Xvfb by xdotool, killed twice; what stands on the screen beside
 tests/online/panorama_view.py (numpy), and every answer in the log.
 
-    tests/app/look_round_window.py PROGRAM SET WORK
+    tests/app/look_round_window.py PROGRAM SET WORK [speed]
 
+`speed` measures in place of the session, and asserts no time: from a key to the turned view on the screen, and the program's memory.
 SET is tests/online/look.toml, rendered (tests/online/run PROGRAM WORK look_round leaves it in WORK/look-set). Needs Xvfb, xdotool,
 python3-numpy and python3-pil. Screens to look at: WORK/window-*.png.
 """
 import csv
 import json
 import os
+import re
 import shutil
 import struct
 import subprocess
@@ -91,7 +93,7 @@ def compare(line):
     """The view on the screen beside the program in numpy; its cross is left out."""
     x, y, width, height = map(int, line["picture"])
     panorama = np.asarray(Image.open(pictures / "stimuli" / (line["stimulus"] + ".png")).convert("RGB"))
-    wanted = view(panorama, width, height, FOV_DEG, *line["pose"])
+    wanted = view(panorama, width, height, line["fov_deg"], *line["pose"])
     smallest = 999.0
     for _ in range(60):  # soon after the swap, however busy the machine is
         apart = np.abs(screen()[y:y + height, x:x + width] - wanted).max(-1)
@@ -114,12 +116,19 @@ def turn_to(yaw_deg, pitch_deg):
         wait(lambda later: later.get("pose") != line["pose"], "a turn")
 
 
+def is_turning(line):
+    return "turned" in line["stimulus"] or "mouse" in line["stimulus"]
+
+
 def choose(line):
-    turns = "turned" in line["stimulus"]
+    turns = is_turning(line)
     if turns:
         if line["screen"] == "trial" and len(differences) < 25:
             for pose in [(0, 0), (75, 30), (-160, -40), (40, 84), (-90, 10)]:
                 compare(turn_to(*pose))
+            for key, fov_deg in (("minus", FOV_DEG + 5), ("plus", FOV_DEG), ("plus", FOV_DEG - 5)):
+                xdotool("key", key)
+                compare(wait(lambda later: later.get("fov_deg") == fov_deg, f"a field of {fov_deg} degrees"))
         line = turn_to(*CREATURE)
     compare(line)
     shot("found" if turns else "still")
@@ -127,39 +136,79 @@ def choose(line):
     wait(lambda later: later.get("phase") == "rating", "the rating")
 
 
+def answer_one():
+    """What a person does about what is on the screen."""
+    line = now()
+    at = line.get("screen")
+    if at in ("trial", "training"):
+        if line["phase"] == "choosing":
+            choose(line)
+        elif line["phase"] == "rating":
+            shot("rating")
+            xdotool("key", "2")
+            wait(lambda later: later.get("phase") != "rating" or later["screen"] != at, "the next picture")
+    elif at == "form":
+        click(line["items"]["age"])
+        xdotool("type", "33")
+        for name in ("gender", "vision", "technical_background", "submit"):
+            click(line["items"][name])
+        xdotool("mousemove", 3, 3)
+    elif at == "break":
+        shot("break")
+        click(line["items"]["comfort-2"])
+        xdotool("mousemove", 3, 3)
+    elif at == "consent":
+        xdotool("key", "Tab", "Tab", "Return")
+    elif at:
+        xdotool("key", "Return")
+    time.sleep(0.15)
+
+
 def answer_until(answered):
-    """What a person does until so many trials are answered, or to the end."""
+    """Until so many trials are answered, or to the end."""
     while True:
         line = now()
         at = line.get("screen")
         if at in ("thanks", "stopped") or at == "trial" and line["answered"] >= answered:
             return line
-        if at in ("trial", "training"):
-            if line["phase"] == "choosing":
-                choose(line)
-            elif line["phase"] == "rating":
-                shot("rating")
-                xdotool("key", "2")
-                wait(lambda later: later.get("phase") != "rating" or later["screen"] != at, "the next picture")
-        elif at == "form":
-            click(line["items"]["age"])
-            xdotool("type", "33")
-            for name in ("gender", "vision", "technical_background", "submit"):
-                click(line["items"][name])
-            xdotool("mousemove", 3, 3)
-        elif at == "break":
-            shot("break")
-            click(line["items"]["comfort-2"])
-            xdotool("mousemove", 3, 3)
-        elif at == "consent":
-            xdotool("key", "Tab", "Tab", "Return")
-        elif at:
-            xdotool("key", "Return")
-        time.sleep(0.15)
+        answer_one()
+
+
+def measure_speed():
+    """Polls a patch of the server's framebuffer; what xdotool itself takes is told beside it."""
+    def run_of(*words):
+        begin = time.perf_counter()
+        xdotool(*words)
+        return time.perf_counter() - begin
+
+    line = wait(lambda later: later.get("phase") == "choosing" and is_turning(later), "a view that turns", 1)
+    x, y, width, height = map(int, line["picture"])
+    panorama = np.asarray(Image.open(pictures / "stimuli" / (line["stimulus"] + ".png")).convert("RGB"))
+    lags = []
+    for _ in range(20):
+        yaw_deg, pitch_deg = now()["pose"]
+        wanted = view(panorama, width, height, line["fov_deg"], yaw_deg + 3, pitch_deg)[40:104, 40:104]
+        begin = time.perf_counter()
+        xdotool("key", "Right")
+        while np.abs(screen()[y + 40:y + 104, x + 40:x + 104] - wanted).max() > 1:
+            if time.perf_counter() - begin > 10:
+                raise SystemExit("the turned view did not come to the screen")
+        lags.append(1000 * (time.perf_counter() - begin))
+        time.sleep(0.1)
+    own = sorted(1000 * run_of("getmouselocation") for _ in range(11))[5]
+    memory = {name: int(value) // 1024 for name, value in re.findall(r"^(VmHWM|VmRSS):\s+(\d+)", Path(f"/proc/{child.pid}/status").read_text(), re.M)}
+    lags.sort()
+    print(f"panorama {panorama.shape[1]} x {panorama.shape[0]}, view {width} x {height}, software rendering: from before xdotool's start to the right picture on the "
+          f"screen median {lags[10]:.0f} ms, longest {lags[-1]:.0f} ms, of which xdotool takes about {own:.0f} ms; memory {memory['VmRSS']} MB, at most {memory['VmHWM']} MB")
 
 
 child = start()
 try:
+    if sys.argv[4:] == ["speed"]:
+        while not (now().get("phase") == "choosing" and is_turning(now())):
+            answer_one()
+        measure_speed()
+        raise SystemExit(0)
     xdotool("mousemove", 3, 3)
     for answered, rates in ((4, False), (9, True)):  # killed while choosing, then while rating
         answer_until(answered)

@@ -142,6 +142,23 @@ if (!inFirefox) {
   console.log("a phone turned by 30 degrees to the right and 10 up turns the view so far");
 }
 
+// The keys + and - change the field of view by 5 degrees, within the study's limits.
+const fieldAfter = async (key, times) => {
+  for (let i = 0; i < times; ++i) await page.keyboard.press(key);
+  return page.evaluate(() => globalThis.seamline.looking.pose().fov_deg);
+};
+assert.equal(await fieldAfter("-", 7), 90, "no wider than 90");
+assert.equal(await fieldAfter("+", 11), 40, "no nearer than 40");
+assert.equal(await fieldAfter("-", 3), 55);
+const zoomed = await page.evaluate(() => {
+  const { view, looking, study } = globalThis.seamline;
+  let text = "";
+  const bytes = view.read();
+  for (let at = 0; at < bytes.length; at += 8192) text += String.fromCharCode(...bytes.subarray(at, at + 8192));
+  return { text: btoa(text), pose: looking.pose(), view_px: study.looks.find(({ kind }) => kind === "mouse").view_px };
+});
+console.log("at a field of 55 degrees: " + compareCodes((await look(page)).trial, [zoomed.text], { ...zoomed, horizontal_fov_deg: 55 }, [zoomed.pose]));
+
 // Practice by keys: the arrows turn, Enter takes what is under the cross.
 const practised = (await look(page)).trial;
 for (let i = 0; i < 400 && (await look(page)).phase === "choosing"; ++i) {
@@ -170,6 +187,7 @@ for (let now = await look(page); !isOver(now); now = await look(page)) {
   } else if (now.screen !== "trial") await act(page, now, { mouse: true });
   else if (now.asks && now.phase === "choosing") {
     const turning = await turns();
+    if (turning) await page.keyboard.press("+");
     if (turning) await findAndClick(now.trial.picture, CREATURE, "turned");
     else {
       await shot("still");
@@ -195,6 +213,7 @@ for (const answer of answers) {
   const moving = chosen.get(answer.trial_index) === CREATURE;
   assert.ok(poses.length > 0 && poses[0][0] === 0 && Math.abs(poses[0][1]) <= (moving ? 20 : 0.05), "every trial says where it began");
   if (moving) starts.add(poses[0][1]);
+  if (moving) assert.deepEqual([poses[0][3], poses.at(-1)[3]], [70, 65], "the field is with the pose");
   assert.equal(poses.length > 3, moving, "fixed views do not move, the others do");
   if (moving) assert.ok(Math.abs(Math.abs(poses.at(-1)[1]) - 177) < 6, "it ends at the creature, behind the start");
   for (let i = 1; i < poses.length; ++i) assert.ok(poses[i][0] - poses[i - 1][0] >= 32, "at most thirty poses a second");

@@ -22,6 +22,7 @@ projection = "panorama"
 [look]
 kind = "mouse"
 view_px = [64, 64]
+fov_limits_deg = [40, 90]
 [consent]
 text = "Discs."
 [catch]
@@ -85,6 +86,7 @@ TEST(WebPanorama, FilesAddUpToWhatTheSetShows) {
     EXPECT_EQ(picture.at("base"), pictures.base.at(picture.at("file").get<std::string>()));
   }
   EXPECT_EQ(differences, pictures.base.size());
+  EXPECT_EQ(study.at("looks").at(0).at("fov_limits_deg").dump(), "[40.0,90.0]");
 }
 
 }  // namespace

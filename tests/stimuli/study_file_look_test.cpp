@@ -96,6 +96,19 @@ TEST(StudyFileLook, EachEyeMayHaveAPanoramaInAHeadset) {
               HasSubstr("at most 16384 rows"));
 }
 
+TEST(StudyFileLook, KeysMayChangeTheField) {
+  const std::string look = "[look]\nkind = \"mouse\"\n";
+  const StudyDefinition study = looked_at(look + "fov_limits_deg = [40, 90]\n");
+  EXPECT_EQ(study.look->fov_limits_deg, (std::array{40.0, 90.0}));
+  EXPECT_THAT(study.look->hint, HasSubstr("+ and -"));
+  EXPECT_THAT(canonical_text(study), HasSubstr("field 40 90"));
+  EXPECT_NE(study_hash(study), study_hash(looked_at(look)));
+  EXPECT_EQ(looked_at(look + "fov_limits_deg = [40, 90]\nhint = \"Turn.\"\n").look->hint, "Turn.");
+  EXPECT_THAT(look_complaint(look + "fov_limits_deg = [70, 90]"),
+              HasSubstr("horizontal_fov_deg between them"));
+  EXPECT_THAT(look_complaint("[look]\nfov_limits_deg = [40, 90]"), HasSubstr("kind = \"mouse\" beside it"));
+}
+
 TEST(StudyFileLook, WhatCannotBeIsRefusedByName) {
   EXPECT_THAT(look_complaint(""), HasSubstr("look: wanted a table [look]"));
   EXPECT_THAT(look_complaint("[look]\n", "", ""), HasSubstr("something to look round at"));

@@ -75,6 +75,29 @@ TEST(Looking, PosesAreKeptThirtyTimesASecondAndOnlyWhereTheyChange) {
   EXPECT_TRUE(recorder.take().empty());
 }
 
+TEST(Looking, TheFieldChangesWithinItsLimitsAndIsKeptWithThePose) {
+  LookDefinition look{.kind = LookKind::mouse, .horizontal_fov_deg = 60};
+  EXPECT_EQ(zoomed_fov_deg(look, 1), 60) << "without limits it stays";
+  look.fov_limits_deg = std::array{52.0, 90.0};
+  EXPECT_EQ(zoomed_fov_deg(look, 1), 55);
+  EXPECT_EQ(zoomed_fov_deg(look, 2), 52);
+  EXPECT_EQ(zoomed_fov_deg(look, -9), 90);
+  look.kind = LookKind::fixed;
+  EXPECT_EQ(zoomed_fov_deg(look, 1), 60);
+  PoseRecorder recorder;
+  recorder.add(0, {1, 2}, 60);
+  recorder.add(100, {1, 2}, 55);
+  recorder.add(200, {1, 2}, 55);
+  const std::vector<std::string> texts = recorder.take();
+  EXPECT_EQ(texts, std::vector<std::string>{"0 1.0 2.0 60.0;100 1.0 2.0 55.0"});
+  const auto poses = poses_of(texts.at(0));
+  ASSERT_TRUE(poses);
+  ASSERT_EQ(poses->size(), 2U);
+  EXPECT_EQ(poses->at(1).fov_deg, 55);
+  EXPECT_EQ(poses->at(1).pose, (Pose{1, 2}));
+  EXPECT_FALSE(poses_of("0 1.0 2.0")->at(0).fov_deg);
+}
+
 TEST(Looking, ALongTrialNeedsSeveralTextsAndLosesNothing) {
   PoseRecorder recorder;
   for (int i = 0; i < 2000; ++i) recorder.add(40 * i, {(i % 3600) * 0.1 - 180, 0});
@@ -84,7 +107,7 @@ TEST(Looking, ALongTrialNeedsSeveralTextsAndLosesNothing) {
     poses += poses_of(text).value().size();
   }
   EXPECT_EQ(poses, 2000U);
-  for (const char* wrong : {"1 2", "a b c", "1 2 3;", "1 2 3 4", "1 nan 3", "1;2;3"})
+  for (const char* wrong : {"1 2", "a b c", "1 2 3;", "1 2 3 4 5", "1 nan 3", "1;2;3", "1 2 3 x"})
     EXPECT_EQ(wrong == std::string("1 2 3;"), poses_of(wrong).has_value()) << wrong;
 }
 

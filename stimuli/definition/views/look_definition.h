@@ -22,6 +22,8 @@ struct LookDefinition {
   double start_spread_deg = 0;  ///< each trial begins at most so far to the left or right of it, as drawn
   std::array<double, 2> yaw_deg = {-180, 180};  ///< between which it can be turned; all round
   std::array<double, 2> pitch_deg = {-90, 90};
+  /// The least and the largest field that keys lead to; none: it stays.
+  std::optional<std::array<double, 2>> fov_limits_deg = {};
   /// Whether a view that the mouse turns is also turned by a phone or tablet that is turned itself, in pages.
   bool follows_device = false;
   /// Beside the question, of a view that turns. Not part of the meaning: it can be edited in a rendered set.

@@ -12,6 +12,9 @@ namespace {
 
 constexpr const char* head_hint =
     "Turn your head to look round. Put the cross on an object and pull the trigger.";
+constexpr const char* zoom_hint =
+    "Drag, or press arrow keys, to look round; press + and - to see nearer and wider. Click an object, or put "
+    "the cross on it and press Enter.";
 constexpr int tile_px = 32;  // of the renderer: whole ones fit around a panorama
 
 void read_comfort_labels(const TomlTable& table, LookDefinition& look) {
@@ -32,6 +35,14 @@ void check_start(const TomlTable& table, const LookDefinition& look) {
       pitch > look.pitch_deg[1])
     throw table.complaint("start_deg", "a direction within yaw_deg and pitch_deg",
                           fmt::format("[{}, {}]", yaw, pitch));
+}
+
+void check_fields(const TomlTable& table, const LookDefinition& look) {
+  if (!look.fov_limits_deg) return;
+  const auto& [least, most] = *look.fov_limits_deg;
+  if (!(least <= look.horizontal_fov_deg && look.horizontal_fov_deg <= most))
+    throw table.complaint("fov_limits_deg", "two angles with horizontal_fov_deg between them",
+                          fmt::format("[{}, {}] around {}", least, most, look.horizontal_fov_deg));
 }
 
 /// What one condition has beside panoramas that only one perspective view can have.
@@ -110,8 +121,10 @@ std::shared_ptr<const LookDefinition> read_look(const TomlTable& settings,
   if (look->kind == LookKind::head && (!usual || other_kind)) look->hint = head_hint;
   if (look->kind == LookKind::mouse && other_kind) look->hint = LookDefinition{}.hint;
   read_settings(*table, *look);
+  if (look->fov_limits_deg && look->hint == LookDefinition{}.hint) look->hint = zoom_hint;
   read_comfort_labels(*table, *look);
   check_start(*table, *look);
+  check_fields(*table, *look);
   table->finish();
   const std::string hint = look->hint;  // a fixed view keeps the study's, which it does not show
   drop_idle(*look);

@@ -146,6 +146,13 @@ Pose step_deg(const FrameInput& input) {
           step * (input.pressed(Key::up) - input.pressed(Key::down))};
 }
 
+/// How many steps nearer + and - ask for.
+int steps_nearer(const FrameInput& input) {
+  int steps = 0;
+  for (const char32_t typed : input.typed) steps += (typed == U'+' || typed == U'=') - (typed == U'-');
+  return steps;
+}
+
 /// By how much the mouse turns the view of a panorama: what is taken hold of follows it.
 Pose dragged_deg(const LookDefinition& view, const TrialPlace& place, Stage& stage) {
   constexpr double slack_px = 4;  // that a click may move
@@ -167,7 +174,8 @@ Pose dragged_deg(const LookDefinition& view, const TrialPlace& place, Stage& sta
   return {-right_px * degrees, down_px * degrees};
 }
 
-/// Begins the view of a trial's panorama at its start, and turns it by mouse and keys while it is seen.
+/// Begins the view of a trial's panorama at its start, and turns and zooms it by mouse and keys while it is
+/// seen.
 void take_view(const Session& session, const Trial& due, Stage& stage) {
   const LookDefinition* view = look_at(stage, due);
   if (view == nullptr) return;
@@ -183,10 +191,18 @@ void take_view(const Session& session, const Trial& due, Stage& stage) {
     return;
   }
   const std::int64_t onset_ns = choosing != nullptr ? choosing->onset_ns : rating->onset_ns;
+  const double fov_deg = zoomed_fov_deg(*view, steps_nearer(stage.input));
+  if (fov_deg != view->horizontal_fov_deg) {
+    LookDefinition zoomed = *view;
+    zoomed.horizontal_fov_deg = fov_deg;
+    looking.zoomed = std::move(zoomed);
+    view = &*looking.zoomed;
+  }
   Pose by = dragged_deg(*view, trial_place(stage), stage);
   if (arrows(stage)) by = step_deg(stage.input);
   looking.pose = turned(*view, looking.pose, by.yaw_deg, by.pitch_deg);
-  looking.poses.add(std::max(0.0, static_cast<double>(stage.input.now_ns - onset_ns) * 1e-6), looking.pose);
+  looking.poses.add(std::max(0.0, static_cast<double>(stage.input.now_ns - onset_ns) * 1e-6), looking.pose,
+                    view->fov_limits_deg ? std::optional(fov_deg) : std::nullopt);
 }
 
 /// After the click that a release may be is taken.

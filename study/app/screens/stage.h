@@ -39,8 +39,9 @@ struct Drafts {
 struct LookDraft {
   std::optional<Trial> trial = {};  ///< whose; another one begins at its start
   Pose pose = {};
-  std::optional<Point> grabbed = {};  ///< where the mouse was, while its button is held
-  bool dragged = false;               ///< it has moved since it was pressed
+  std::optional<LookDefinition> zoomed = {};  ///< the look with the field that keys led to
+  std::optional<Point> grabbed = {};          ///< where the mouse was, while its button is held
+  bool dragged = false;                       ///< it has moved since it was pressed
   PoseRecorder poses = {};
 };
 

@@ -49,8 +49,10 @@ void Trace::shown(const Visit& visit, const Stage& stage) {
     const TrialPlace place = trial_place(stage);
     line["picture"] = rectangle(place.picture);
     if (const std::optional<Trial> due = current_trial(session->trials)) {
-      if (look_at(stage, *due) != nullptr)
+      if (const LookDefinition* view = look_at(stage, *due)) {
         line["pose"] = {stage.looking.pose.yaw_deg, stage.looking.pose.pitch_deg};
+        line["fov_deg"] = view->horizontal_fov_deg;
+      }
       line["kind"] = word(due->kind);
       line["stimulus"] = stage.set.manifest.stimuli.at(static_cast<std::size_t>(due->stimulus)).id;
       for (const PictureFrame& frame : seen_frames(stage, *due))

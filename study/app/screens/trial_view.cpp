@@ -34,6 +34,7 @@ Size shown_size(const Stage& stage) {
 
 const LookDefinition* look_at(const Stage& stage, const Trial& trial) {
   if (!is_panorama(stage.set.study)) return nullptr;
+  if (stage.looking.zoomed && stage.looking.trial == trial) return &*stage.looking.zoomed;
   return look_of(stage.set.study,
                  stage.set.manifest.stimuli.at(static_cast<std::size_t>(trial.stimulus)).stimulus.condition);
 }

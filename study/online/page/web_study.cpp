@@ -220,6 +220,7 @@ Json look_json(const LookDefinition& look, const std::array<double, 2>& start) {
       {"start_deg", start},      {"yaw_deg", look.yaw_deg}, {"pitch_deg", look.pitch_deg},
       {"hint", look.hint}};
   if (look.start_spread_deg > 0) json["start_spread_deg"] = look.start_spread_deg;
+  if (look.fov_limits_deg) json["fov_limits_deg"] = *look.fov_limits_deg;
   if (look.follows_device) json["follows_device"] = true;
   return json;
 }

@@ -2,7 +2,7 @@
 //
 // A pose is {yaw_deg, pitch_deg}: to the right of the panorama's middle column, up from the horizon. A direction is
 // [x, y, z] with x to the right of the middle column, y up and z backwards. A look is {kind, view_px, horizontal_fov_deg,
-// start_deg, yaw_deg, pitch_deg}.
+// start_deg, yaw_deg, pitch_deg, and fov_limits_deg where keys change the field}.
 const DEGREE = Math.PI / 180;
 
 /** How a trial's picture is looked at; null: whole, as it is. */
@@ -111,18 +111,28 @@ export function turned(look, pose, right_deg, up_deg) {
   };
 }
 
+/** The look after so many steps nearer, of 5 degrees each, within its limits; itself where it has none. */
+export function zoomed(look, steps_nearer) {
+  if (look.kind !== "mouse" || !look.fov_limits_deg) return look;
+  const [least, most] = look.fov_limits_deg;
+  return { ...look, horizontal_fov_deg: Math.min(most, Math.max(least, look.horizontal_fov_deg - 5 * steps_nearer)) };
+}
+
 /** Degrees that one pixel of the view's middle spans. */
 export const degreesPerPixel = (look) => (2 * halfTangents(look)[0]) / look.view_px[0] / DEGREE;
 
 const MOST_DETAIL = 3900; // of an event's 4000 bytes
 
-/** The poses of a trial as the details of events: "MS YAW PITCH;...", at most 30 a second and only what changed. */
+/**
+ * The poses of a trial as the details of events: "MS YAW PITCH;...", at most 30 a second and only what changed; "MS YAW PITCH FIELD"
+ * of poses that have a field of view.
+ */
 export function makePoses() {
   let texts = [];
   let last = null;
   let waiting = null;
   const write = (ms, pose) => {
-    const text = pose.yaw_deg.toFixed(1) + " " + pose.pitch_deg.toFixed(1);
+    const text = [pose.yaw_deg, pose.pitch_deg, pose.fov_deg].filter((value) => value !== undefined).map((value) => value.toFixed(1)).join(" ");
     waiting = null;
     if (last?.text === text) return;
     last = { ms, text };

@@ -89,9 +89,11 @@ function makeStage(app, display, size_px) {
 
 const TURNS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
+const ZOOMS = { "+": 1, "=": 1, "-": -1 };
+
 /** How a trial's picture is seen: whole, or a view of a panorama that may turn. Places are pixels of what is seen. */
 function viewOf(app, trial) {
-  const look = looking.lookOf(app.study, trial.stimulus_id);
+  let look = looking.lookOf(app.study, trial.stimulus_id);
   if (look === null)
     return {
       size_px: shownSize(app, taskOf(app.script.pace, trial)),
@@ -115,9 +117,11 @@ function viewOf(app, trial) {
       pose = next;
     },
     hint: look.kind === "fixed" ? null : look.hint,
-    degreesPerPixel: looking.degreesPerPixel(look),
+    get degreesPerPixel() {
+      return looking.degreesPerPixel(look);
+    },
     poses: looking.makePoses(),
-    pose: () => pose,
+    pose: () => (look.fov_limits_deg ? { ...pose, fov_deg: look.horizontal_fov_deg } : pose),
     /** What stands on the screen for the panorama. */
     shown(image) {
       app.view.put(image);
@@ -128,6 +132,13 @@ function viewOf(app, trial) {
       const next = looking.turned(look, pose, right_deg, up_deg);
       if (next.yaw_deg === pose.yaw_deg && next.pitch_deg === pose.pitch_deg) return false;
       pose = next;
+      app.view.draw(look, pose);
+      return true;
+    },
+    zoom(steps_nearer) {
+      const next = looking.zoomed(look, steps_nearer);
+      if (next.horizontal_fov_deg === look.horizontal_fov_deg) return false;
+      look = next;
       app.view.draw(look, pose);
       return true;
     },
@@ -402,11 +413,12 @@ function drawTrial(app, display, isPractice) {
     if (hovered > 0 && !stage.questions.hidden) choose(hovered, event);
   };
 
-  /** Turns the view by degrees, and notes whither. */
-  function turn(right_deg, up_deg, event) {
+  /** Turns the view by degrees, or zooms it, and notes whither. */
+  const turn = (right_deg, up_deg, event) => change(() => view.turn(right_deg, up_deg), event);
+  function change(make, event) {
     const now = phase();
     if (!["choosing", "rating"].includes(now.name) || app.guard.problem() !== null) return;
-    if (!view.turn(right_deg, up_deg)) return;
+    if (!make()) return;
     view.poses.add((nanoseconds(event.timeStamp) - now.onset_ns) / 1e6, view.pose());
     drawBrackets();
   }
@@ -440,6 +452,10 @@ function drawTrial(app, display, isPractice) {
     if (view.turns && TURNS[event.key]) {
       const step_deg = event.shiftKey ? 15 : 3;
       turn(TURNS[event.key][0] * step_deg, TURNS[event.key][1] * step_deg, event);
+      return event.preventDefault();
+    }
+    if (view.turns && ZOOMS[event.key]) {
+      change(() => view.zoom(ZOOMS[event.key]), event);
       return event.preventDefault();
     }
     if (event.repeat || stage.questions.hidden) return;
