@@ -10,7 +10,8 @@ inline constexpr std::array<std::string_view, 3> words_of<LookKind> = {"fixed", 
 [[nodiscard]] std::string fault_of_yaw(const LookDefinition& look);
 [[nodiscard]] std::string fault_of_pitch(const LookDefinition& look);
 
-/// `[look]`. Whether `start_deg` and `horizontal_fov_deg` lie within the other angles is checked by study_file_look.cpp.
+/// `[look]`. Whether `start_deg` and `horizontal_fov_deg` lie within the other angles is checked by
+/// study_file_look.cpp.
 template <>
 inline constexpr auto settings_of<LookDefinition> = std::to_array<Setting<LookDefinition>>({
     {.key = "kind",
