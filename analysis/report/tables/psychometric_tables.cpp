@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "analysis/by_task/slider_means.h"
+#include "analysis/matching/slider_means.h"
 #include "analysis/report/tables/table_columns.h"
 #include "analysis/scores/level_words.h"
 

@@ -1,4 +1,4 @@
-#include "analysis/by_task/slider_means.h"
+#include "analysis/matching/slider_means.h"
 
 #include <map>
 #include <set>
