@@ -161,7 +161,7 @@ VisitScript briefed_script() {
   said.pace.task.facts = facts_of(&slider);
   std::vector<int> blocks(10 + trial_count, -1);
   for (int i = 0; i < trial_count; ++i)
-    blocks[static_cast<std::size_t>(10 + i)] = std::array{0, -1, 1}[static_cast<std::size_t>(i / 4)];
+    blocks[10 + static_cast<std::size_t>(i)] = std::array{0, -1, 1}[static_cast<std::size_t>(i / 4)];
   said.pace.briefed = std::make_shared<const std::vector<int>>(std::move(blocks));
   return said;
 }
@@ -205,7 +205,7 @@ Json script_json(const VisitScript& said) {
 Json briefings_json(const VisitScript& said) {
   Json blocks = Json::array();
   for (int i = 0; said.pace.briefed && i < trial_count; ++i)
-    blocks.push_back(said.pace.briefed->at(static_cast<std::size_t>(10 + i)));
+    blocks.push_back(said.pace.briefed->at(10 + static_cast<std::size_t>(i)));
   return blocks;
 }
 

@@ -299,6 +299,7 @@ FrameBase make_frame_base(const TruthScene& scene, const SceneGeometry& geometry
   SceneSums sums = empty_sums(scene.camera, scene.objects.size());
   for (int step = 0; step < frame_steps; ++step) {
     std::vector<int> wanted;
+    wanted.reserve(spp.size());
     for (const int all : spp) wanted.push_back(samples_of_step(step, all));
     add_samples(scene, geometry, wanted, options, sums);
     base.steps.push_back(copy_of(sums, false));
