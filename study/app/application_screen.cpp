@@ -12,20 +12,6 @@
 namespace seamline::study::app {
 namespace {
 
-/// Of the pictures, or of the largest view of panoramas.
-Size picture_size(const RenderedSet& set) {
-  const auto [width_px, height_px] = shown_size_px(set);
-  Size size{static_cast<double>(width_px), static_cast<double>(height_px)};
-  if (!is_panorama(set.study)) return size;
-  size = {};
-  for (const ConditionDefinition& condition : list_conditions(set.study)) {
-    const std::array<int, 2>& view_px = look_of(set.study, condition)->view_px;
-    size = {std::max(size.width_px, double{1} * view_px[0]),
-            std::max(size.height_px, double{1} * view_px[1])};
-  }
-  return size;
-}
-
 /// The window is a screen's.
 void require_no_headset(const StudyDefinition& study) {
   for (const ConditionDefinition& condition : list_conditions(study))
@@ -39,11 +25,12 @@ void require_no_headset(const StudyDefinition& study) {
 
 WindowRequest window_request(const RenderedSet& set, const ParticipantRequest& request) {
   constexpr int least_width_px = 1100, least_height_px = 760, margin_px = 40;
-  return {
-      .title = "Seamline",
-      .fullscreen = !request.windowed,
-      .width_px = std::max(least_width_px, static_cast<int>(picture_size(set).width_px) + 2 * margin_px),
-      .height_px = std::max(least_height_px, static_cast<int>(picture_size(set).height_px) + 5 * margin_px)};
+  return {.title = "Seamline",
+          .fullscreen = !request.windowed,
+          .width_px =
+              std::max(least_width_px, static_cast<int>(shown_picture_size(set).width_px) + 2 * margin_px),
+          .height_px =
+              std::max(least_height_px, static_cast<int>(shown_picture_size(set).height_px) + 5 * margin_px)};
 }
 
 bool same_screen(const DisplayFacts& facts, const DisplayInfo& display) {
@@ -96,7 +83,7 @@ void Application::set_type() {
 /// Pictures are shown pixel for pixel, or not at all.
 void Application::check_screen() {
   require_no_headset(set_.study);
-  const Size picture_px = picture_size(set_);
+  const Size picture_px = shown_picture_size(set_);
   const Size needed_px = needed_screen(picture_px, ui_.em());
   require_panel(set_.study, stage_.screen_px, request_.allow_scaling);
   const std::optional<Point> corner_px = picture_corner(set_.study);

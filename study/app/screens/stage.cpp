@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 
 #include "study/app/pictures/picture_place.h"
@@ -14,13 +15,25 @@ std::string Stage::phrase(Phrase which,
   return fill_in(phrase_text(set.study.texts, which), values);
 }
 
+Size shown_picture_size(const RenderedSet& set) {
+  const auto [width_px, height_px] = shown_size_px(set);
+  Size size{static_cast<double>(width_px), static_cast<double>(height_px)};
+  if (!is_panorama(set.study)) return size;
+  size = {};
+  for (const ConditionDefinition& condition : list_conditions(set.study)) {
+    const std::array<int, 2>& view_px = look_of(set.study, condition)->view_px;
+    size = {std::max(size.width_px, double{1} * view_px[0]),
+            std::max(size.height_px, double{1} * view_px[1])};
+  }
+  return size;
+}
+
 DisplayFacts display_facts(const Stage& stage, const DisplayProfile& profile) {
   std::array<char, 256> machine{};
   if (::gethostname(machine.data(), machine.size() - 1) != 0) machine[0] = '\0';
-  const auto [width_px, height_px] = shown_size_px(stage.set);
-  const Size picture_px{static_cast<double>(width_px), static_cast<double>(height_px)};
-  const double scale =
-      place_trial(stage.screen_px, picture_px, stage.ui.em(), picture_corner(stage.set.study)).scale;
+  const double scale = place_trial(stage.screen_px, shown_picture_size(stage.set), stage.ui.em(),
+                                   picture_corner(stage.set.study))
+                           .scale;
   return {.machine = machine.data(),
           .monitor = stage.display.monitor,
           .renderer = stage.display.graphics,

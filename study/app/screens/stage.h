@@ -99,6 +99,8 @@ using Outcome = std::optional<VisitEvent>;
 [[nodiscard]] Outcome draw(const DeclinedScreen&, const Visit&, Stage&);
 [[nodiscard]] Outcome draw(const StoppedScreen&, const Visit&, Stage&);
 
+/// Of the pictures as they are shown, or of the largest view of panoramas, which are never shown whole.
+[[nodiscard]] Size shown_picture_size(const RenderedSet& set);
 /// What the display check knows, with the pixels per degree that follow.
 [[nodiscard]] DisplayFacts display_facts(const Stage& stage, const DisplayProfile& profile);
 
