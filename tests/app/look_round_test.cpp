@@ -67,8 +67,8 @@ class LookRoundTest : public testing::Test {
   void SetUp() override {
     if (const std::string missing = test::what_is_missing(); !missing.empty()) GTEST_SKIP() << missing;
     fs::remove_all(folder);
-    set = test::write_picture_set(folder / "set", {.width_px = 512,
-                                                   .height_px = 256,
+    set = test::write_picture_set(folder / "set", {.width_px = 1024,  // wider than the screen
+                                                   .height_px = 512,
                                                    .widths = "64",
                                                    .session = "inter_trial_s = 0.05\n",
                                                    .top = "participant_form = false",
@@ -171,6 +171,7 @@ TEST_F(LookRoundTest, CodesAreThoseOfAnIndependentResamplingAndTheDiscBehindIsFo
   window->wait("the answer's end", [](const Line& now) { return now["answered"].get<int>() == 1; });
   SQLite::Database log((folder / "log.sqlite").string());
   EXPECT_EQ(log.execAndGet("SELECT chosen_index FROM answers").getInt(), 1);
+  EXPECT_EQ(log.execAndGet("SELECT image_scale FROM answers").getDouble(), 1);
   const std::string looked =
       log.execAndGet("SELECT group_concat(detail, ';') FROM events WHERE kind = 'look'").getString();
   const auto poses = poses_of(looked);

@@ -4,6 +4,7 @@ import { execFileSync } from "node:child_process";
 import { cpSync, mkdirSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { realServe } from "./hosts.mjs";
+import { tryLaws } from "./try_laws.mjs";
 import { actUntil, axeSource, inFirefox, openBrowser } from "./person.mjs";
 
 const work = process.env.SEAMLINE_ONLINE_WORK;
@@ -50,7 +51,6 @@ async function visit(wish, query, then) {
   }
 }
 
-let failed = 0;
 const laws = {
   async "by the link, German"() {
     await visit("en-GB", "?lang=de", async (page) => {
@@ -97,15 +97,4 @@ const laws = {
     for (const text of Object.values(consents)) assert.ok(bytes.includes(text), text);
   },
 };
-for (const [law, run] of Object.entries(laws)) {
-  try {
-    await run();
-    console.log("ok      %s", law);
-  } catch (error) {
-    ++failed;
-    console.log("FAILED  %s\n%s", law, error.stack);
-  }
-}
-await host.stop();
-console.log("%d failed", failed);
-process.exit(failed === 0 ? 0 : 1);
+await tryLaws(laws, () => host.stop());

@@ -7,6 +7,7 @@ import { execFileSync } from "node:child_process";
 import { cpSync, mkdirSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { listening, realServe } from "./hosts.mjs";
+import { tryLaws } from "./try_laws.mjs";
 import { actUntil, axeSource, openBrowser } from "./person.mjs";
 
 const work = process.env.SEAMLINE_ONLINE_WORK;
@@ -93,16 +94,5 @@ async function mturk() {
   }
 }
 
-let failed = 0;
-for (const [name, run] of Object.entries({ sona, mturk })) {
-  if (process.argv[2] && process.argv[2] !== name) continue;
-  try {
-    await run();
-    console.log("ok      %s", name);
-  } catch (error) {
-    ++failed;
-    console.log("FAILED  %s\n%s", name, error.stack);
-  }
-}
-console.log("%d failed", failed);
-process.exit(failed === 0 ? 0 : 1);
+const laws = { sona, mturk };
+await tryLaws(process.argv[2] ? { [process.argv[2]]: laws[process.argv[2]] } : laws);

@@ -7,6 +7,7 @@ import { execFileSync, spawn } from "node:child_process";
 import { cpSync, mkdirSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { listening } from "./hosts.mjs";
+import { tryLaws } from "./try_laws.mjs";
 import { actUntil, axeSource, look, openBrowser } from "./person.mjs";
 
 const work = process.env.SEAMLINE_ONLINE_WORK;
@@ -234,16 +235,4 @@ const laws = {
   },
 };
 
-let failed = 0;
-for (const [law, run] of Object.entries(laws)) {
-  try {
-    await run();
-    console.log("ok      %s", law);
-  } catch (error) {
-    ++failed;
-    console.log("FAILED  %s\n%s", law, error.stack);
-  }
-}
-await panel.stop();
-console.log("%d failed", failed);
-process.exit(failed === 0 ? 0 : 1);
+await tryLaws(laws, () => panel.stop());

@@ -5,6 +5,7 @@ import { execFileSync } from "node:child_process";
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { realServe } from "./hosts.mjs";
+import { tryLaws } from "./try_laws.mjs";
 import { axeSource, chromium, look } from "./person.mjs";
 
 const work = process.env.SEAMLINE_ONLINE_WORK;
@@ -143,15 +144,4 @@ const laws = {
   },
 };
 
-let failed = 0;
-for (const [law, run] of Object.entries(laws)) {
-  try {
-    await run();
-    console.log("ok      %s", law);
-  } catch (error) {
-    ++failed;
-    console.log("FAILED  %s\n%s", law, error.stack);
-  }
-}
-console.log("%d failed", failed);
-process.exit(failed === 0 ? 0 : 1);
+await tryLaws(laws);
