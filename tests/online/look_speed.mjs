@@ -9,6 +9,7 @@ import { join } from "node:path";
 import { staticHost } from "./hosts.mjs";
 import { act, inFirefox, look, openBrowser } from "./person.mjs";
 
+assert.ok(process.env.SEAMLINE_LOOK_SET, "SEAMLINE_LOOK_SET: the folder of a rendered set of a study with [look]");
 const STEP_MS = 60000;
 const within = (what, promise, ms = STEP_MS) => {
   let timer;
