@@ -35,6 +35,7 @@
 #include "support/files/gnuplot.h"
 #include "support/files/temporary_folder.h"
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline::analysis {
 
@@ -43,7 +44,7 @@ namespace {
 void require_shared_blocks(const std::vector<std::string>& words) {
   for (const std::string& word : words)
     if (shared_block(word) == nullptr)
-      throw input_error({.field = "--own",
+      throw input_error({.field = request_name("own"),
                          .wanted = "scale, criteria, lapse or guess_ratings",
                          .found = "\"" + word + "\""});
 }
@@ -75,13 +76,14 @@ void lay_beside_published(Analysis& analysis, PublishedThresholds published, con
 
 /// What is made of choices alone.
 void require_nothing_of_choices(const AnalysisRequest& request) {
-  const std::pair<const char*, bool> options[] = {{"--exclude-screened", request.exclude_screened},
-                                                  {"--exclude-inattentive", request.exclude_inattentive},
-                                                  {"--compare", !request.compare.empty()},
-                                                  {"--own", !request.own.empty()},
-                                                  {"--no-seam-at", request.no_seam_at.has_value()},
-                                                  {"--published", !request.published.empty()},
-                                                  {"--frozen", !request.frozen.empty()}};
+  const std::pair<std::string, bool> options[] = {
+      {request_name("exclude_screened"), request.exclude_screened},
+      {request_name("exclude_inattentive"), request.exclude_inattentive},
+      {request_name("compare"), !request.compare.empty()},
+      {request_name("own"), !request.own.empty()},
+      {request_name("no_seam_at"), request.no_seam_at.has_value()},
+      {request_name("published"), !request.published.empty()},
+      {request_name("frozen"), !request.frozen.empty()}};
   for (const auto& [option, is_given] : options)
     if (is_given)
       throw input_error({.field = option,
@@ -144,8 +146,8 @@ AnalysisSummary analyze_one(study::LogContents log, const AnalysisRequest& reque
 
 /// A report for each task, and a page over them.
 AnalysisSummary analyze_by_task(const study::LogContents& log, const AnalysisRequest& request) {
-  for (const auto& [option, is_given] :
-       {std::pair("--published", !request.published.empty()), std::pair("--frozen", !request.frozen.empty())})
+  for (const auto& [option, is_given] : {std::pair(request_name("published"), !request.published.empty()),
+                                         std::pair(request_name("frozen"), !request.frozen.empty())})
     if (is_given)
       throw input_error({.file = request.log.string(),
                          .field = option,
@@ -195,7 +197,7 @@ AnalysisSummary analyze_one(study::LogContents log, const AnalysisRequest& reque
               options);
 
   if (!request.own.empty() && !analysis.joint)
-    throw input_error({.field = "--own",
+    throw input_error({.field = request_name("own"),
                        .wanted = "a study whose [analysis] says model = \"joint\"",
                        .found = "model = \"paper\""});
   if (published) lay_beside_published(analysis, std::move(*published), request);
@@ -252,9 +254,10 @@ AnalysisSummary analyze_one(study::LogContents log, const AnalysisRequest& reque
 AnalysisSummary analyze_log(const AnalysisRequest& request) {
   require_gnuplot();
   if (request.no_seam_at.has_value() != request.no_seam_margin.has_value())
-    throw input_error({.field = request.no_seam_at ? "--no-seam-at" : "--margin",
-                       .wanted = request.no_seam_at ? "--margin beside it: how much counts as none"
-                                                    : "--no-seam-at LEVEL beside it",
+    throw input_error({.field = request.no_seam_at ? request_name("no_seam_at") : request_name("margin"),
+                       .wanted = request.no_seam_at
+                                     ? request_name("margin") + " beside it: how much counts as none"
+                                     : request_name("no_seam_at") + " LEVEL beside it",
                        .found = "it alone"});
   require_shared_blocks(request.own);
   study::LogContents log = study::read_log(request.log);

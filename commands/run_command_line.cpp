@@ -7,6 +7,8 @@
 #include <memory>
 #include <new>
 #include <sstream>
+#include <string>
+#include <string_view>
 
 #include "commands/former_spelling.h"
 #include "commands/options/command_help.h"
@@ -16,6 +18,7 @@
 #include "support/running/standard_streams.h"
 #include "support/text/error.h"
 #include "support/text/printable.h"
+#include "support/text/request_name.h"
 
 namespace seamline {
 namespace {
@@ -25,6 +28,13 @@ constexpr int exit_unstable = 1;
 constexpr int exit_bug = 2;
 constexpr int exit_interrupted = 130;
 constexpr std::size_t longest_sentence = 2000;  ///< letters; its parts are shortened already
+
+/// The option that sets a member of a request: "allow_scaling" is "--allow-scaling".
+std::string option_of(std::string_view member) {
+  std::string option = "--" + std::string(member);
+  std::replace(option.begin(), option.end(), '_', '-');
+  return option;
+}
 
 int parse(CLI::App& app, int argc, char** argv) {
   std::vector<std::string> arguments = todays_spelling({argv + 1, argv + argc});
@@ -48,6 +58,7 @@ int parse(CLI::App& app, int argc, char** argv) {
 int run_command_line(int argc, char** argv) {
   guard_standard_streams();
   keep_freed_memory();
+  const RequestSpelling as_options(&option_of);
   bool any_case_failed = false;
   const std::unique_ptr<CLI::App> app = program(any_case_failed);
   catch_interrupts();

@@ -12,6 +12,7 @@
 #include "raytracer/scene/truth_scene.h"
 #include "support/text/error.h"
 #include "support/text/printable.h"
+#include "support/text/request_name.h"
 
 namespace seamline::renderer {
 namespace {
@@ -56,9 +57,9 @@ void raise_clipped(const CompositeRequest& request, const Geometry& depth, float
       100 * found.share, found.factor);
   if (found.factor_of_grey > worth_it * found.factor)
     said += fmt::format(
-        ". If these surfaces are grey (albedo 0.5) and not white, --clipped-light {:.3g} is right, and "
+        ". If these surfaces are grey (albedo 0.5) and not white, {} {:.3g} is right, and "
         "shadows are deeper",
-        found.factor_of_grey);
+        request_name("clipped_light"), found.factor_of_grey);
   notes.say(said);
 }
 
@@ -101,10 +102,10 @@ Image light_panorama(const CompositeRequest& request, const SeenPhoto& seen, std
       if (seen.photograph.was_codes) white = 1.0F;
       return seen.panorama;
     }
-    throw input_error(
-        {.field = "--light-from-photograph",
-         .wanted = "a panorama, which shows where light comes from; or --light-panorama FILE beside it",
-         .found = "a photograph of one view"});
+    throw input_error({.field = request_name("light_from_photograph"),
+                       .wanted = "a panorama, which shows where light comes from; or " +
+                                 request_name("light_panorama") + " FILE beside it",
+                       .found = "a photograph of one view"});
   }
   Photograph around = read_photograph(request.light.panorama, Projection::panorama);
   for (const std::string& note : around.notes) notes.say(printable(request.light.panorama) + ": " + note);
@@ -115,8 +116,8 @@ Image light_panorama(const CompositeRequest& request, const SeenPhoto& seen, std
     throw input_error(
         {.file = request.light.panorama,
          .wanted = fmt::format("a panorama that shows in the photograph's view what the photograph shows "
-                               "(likeness {} and more; see --look-at and --fov)",
-                               least_likeness),
+                               "(likeness {} and more; see {} and {})",
+                               least_likeness, request_name("look_at"), request_name("fov")),
          .found = fmt::format("a likeness of {:.2f}", match.likeness)});
   notes.say(
       fmt::format("{} is taken {:.3g} times, to be as bright as the photograph in its view (likeness {:.2f})",
@@ -140,14 +141,16 @@ KnownLight real_light(const CompositeRequest& request, const SeenPhoto& seen, co
     if (!has_given)
       throw input_error(
           {.field = "light",
-           .wanted = "--to-sun with --sun-irradiance, --environment, --environment-map, --lamp, "
-                     "--light-panorama, or the lights of --scene or --objects",
+           .wanted = request_name("to_sun") + " with " + request_name("sun_irradiance") + ", " +
+                     request_name("environment") + ", " + request_name("environment_map") + ", " +
+                     request_name("lamp") + ", " + request_name("light_panorama") + ", or the lights of " +
+                     request_name("scene") + " or " + request_name("objects"),
            .found = "none, and a photograph of one view does not show where its light comes from"});
     describe(known.light, known.text);
     return known;
   }
   if (known.light.environment || (known.light.environment_radiance > 0.0F).any())
-    throw input_error({.field = "--light-from-photograph",
+    throw input_error({.field = request_name("light_from_photograph"),
                        .wanted = "no environment beside it: the panorama shows what is around",
                        .found = "an environment"});
   Image panorama = light_panorama(request, seen, known.panorama_white, notes);
@@ -191,7 +194,8 @@ void require_way_in(const KnownLight& known, const Geometry& depth, Notes& notes
   if (!(open > 0))
     throw input_error(
         {.field = "light",
-         .wanted = "light inside the room (--lamp; or none at all with a panorama, which is light itself)",
+         .wanted = "light inside the room (" + request_name("lamp") +
+                   "; or none at all with a panorama, which is light itself)",
          .found = "a depth map that is closed all round, through which no sun and no environment shines"});
   if (open < 0.01)
     notes.say(fmt::format(

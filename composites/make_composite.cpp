@@ -22,6 +22,7 @@
 #include "support/running/progress.h"
 #include "support/text/error.h"
 #include "support/text/printable.h"
+#include "support/text/request_name.h"
 
 namespace seamline::renderer {
 namespace {
@@ -53,7 +54,8 @@ GivenAnswers given_answers(const CompositeRequest& request, const SeenPhoto& see
     given.test =
         OcclusionTest{.sights = {photo_sight(depth, request.depth, camera)}, .forward = -camera.axes.col(2)};
     if (request.occlusion == Occlusion::depth_buffer) {
-      sensors::require_valid(request.buffer, "--depth-buffer-near and --depth-buffer-far");
+      sensors::require_valid(request.buffer,
+                             request_name("depth_buffer_near") + " and " + request_name("depth_buffer_far"));
       given.test->buffer = request.buffer;
     }
   }
@@ -86,9 +88,10 @@ std::vector<std::string> answers_text(const CompositeRequest& request) {
                         : fmt::format("none: they are hidden, {:.3g} m away, by real surfaces {:.3g} m away",
                                       sight.nearest_m, sight.scene_there_m);
   throw input_error(
-      {.field = "--position",
-       .wanted = "objects that change the picture (--look-at shows another part of a panorama; without "
-                 "--position an object is put into the picture's middle)",
+      {.field = request_name("position"),
+       .wanted = "objects that change the picture (" + request_name("look_at") +
+                 " shows another part of a panorama; without " + request_name("position") +
+                 " an object is put into the picture's middle)",
        .found = where +
                 (shadows ? ", and of their shadow and light less than a ten-thousandth falls into it" : "")});
 }
@@ -134,9 +137,10 @@ Rendered render(const CompositeRequest& request, const PhotoScene& scene, const 
   out.by = request.estimator.value_or(can_be_fast ? Estimator::fast : Estimator::path);
   if (out.by == Estimator::fast && !can_be_fast)
     throw input_error(
-        {.field = "--estimator",
-         .wanted = "path beside --occlusion none, where nothing real shades the objects, beside --shadows "
-                   "none, virtual light and beside a lens that leaves the picture's corners empty",
+        {.field = request_name("estimator"),
+         .wanted = "path beside " + request_name("occlusion") +
+                   " none, where nothing real shades the objects, beside " + request_name("shadows") +
+                   " none, virtual light and beside a lens that leaves the picture's corners empty",
          .found = "fast"});
   Progress progress(title, 1.0);
   const PassOptions pass{.spp = request.spp,
@@ -273,7 +277,7 @@ void make_composite(const CompositeRequest& asked, const CompositeListener& list
   const auto put = stand_in_view(request.objects, half_widths_m, seen.camera, *local.geometry, seen.centre_m);
   for (const PlacedModel& model : request.objects)
     if (!model.has_place)
-      throw input_error({.field = "--position",
+      throw input_error({.field = request_name("position"),
                          .wanted = "the object's place, since the picture shows no depth around its middle "
                                    "to put it on",
                          .found = "none"});
@@ -292,8 +296,9 @@ void make_composite(const CompositeRequest& asked, const CompositeListener& list
   made.answers = answers_text(request);
   for (const std::string& answer : made.answers) notes.tell(answer);
   if (given.shadow_matte && known.light.suns.empty())
-    throw input_error(
-        {.field = "--shadow-matte", .wanted = "a sun, whose shadow it shows", .found = "light without one"});
+    throw input_error({.field = request_name("shadow_matte"),
+                       .wanted = "a sun, whose shadow it shows",
+                       .found = "light without one"});
   const auto photo_scene = [&](const PhotoLocalScene& scene) {
     return PhotoScene{.photograph = seen.photograph.radiance,
                       .camera = seen.camera,
@@ -323,7 +328,7 @@ void make_composite(const CompositeRequest& asked, const CompositeListener& list
                                            : reduced_photo_mesh(local.mesh, *chosen.width_px, request.depth);
     if (mesh.triangles.empty())
       throw input_error(
-          {.field = request.depth_samples ? "--depth-samples" : "--depth-width",
+          {.field = request.depth_samples ? request_name("depth_samples") : request_name("depth_width"),
            .wanted = "so much that something of the depth map is left",
            .found = std::to_string(request.depth_samples.value_or(chosen.width_px.value_or(0)))});
     if (chosen.width_px)
@@ -345,7 +350,7 @@ void make_composite(const CompositeRequest& asked, const CompositeListener& list
   made.picture = compose_photo(sums, compositing, request.threads);
   made.changed_pixels = keep_untouched(*made.photograph, made.picture.picture);
   if (made.changed_pixels == 0)
-    throw input_error({.field = "--position",
+    throw input_error({.field = request_name("position"),
                        .wanted = "objects that change the picture",
                        .found = "none: not one pixel is another than the photograph's"});
   if (look_at_objects(seen.camera, *local.geometry, object_geometry, {}).visible_pixels > 0 &&

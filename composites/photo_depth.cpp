@@ -16,6 +16,7 @@
 #include "renderer/depth/sensor/sensor_pose.h"
 #include "support/arithmetic/shortest_turn.h"
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline::renderer {
 namespace {
@@ -24,7 +25,7 @@ namespace fs = std::filesystem;
 
 registration::CameraFile cameras_of(const std::string& name, const Photograph& photograph) {
   const bool preset = registration::is_preset(name) && !fs::exists(name);
-  return preset ? registration::camera_file_of_preset(name, "--camera")
+  return preset ? registration::camera_file_of_preset(name, request_name("camera"))
                 : registration::read_camera_file(name, std::pair{photograph.width_px, photograph.height_px});
 }
 
@@ -82,7 +83,7 @@ sensors::DepthMeaning meaning_of(const PhotoDepthRequest& request, const sensors
 
 PhotoDepth panorama_of(const PhotoDepthRequest& request, const sensors::RawDepth& raw) {
   if (request.convention == sensors::DepthConvention::planar)
-    throw input_error({.field = "--depth-kind",
+    throw input_error({.field = request_name("depth_kind"),
                        .wanted = "radial: a panorama's depth is the length of its rays",
                        .found = "planar"});
   // Its values alone; the camera only says how many there are.
@@ -152,20 +153,20 @@ PhotoDepth fisheye_depth(const PhotoDepthRequest& request, const sensors::Fishey
   depth.notes.push_back(
       fmt::format("depth of a fisheye: {} are looked up through a panorama of {} x {} texels",
                   request.convention == sensors::DepthConvention::planar
-                      ? "distances along the axis (--depth-kind planar)"
-                      : "lengths of rays (--depth-kind planar says the other)",
+                      ? "distances along the axis (" + request_name("depth_kind") + " planar)"
+                      : "lengths of rays (" + request_name("depth_kind") + " planar says the other)",
                   2 * height_px, height_px));
   return depth;
 }
 
 void require_unit(const PhotoDepthRequest& request, const sensors::RawDepth& raw) {
   if (!raw.whole || request.metres_per_step || request.estimate) return;
-  throw input_error(
-      {.file = request.file,
-       .field = "--metres-per-step",
-       .wanted = "how many metres a step of its whole numbers is (0.001: millimetres), --depth-unit NAME, or "
-                 "--depth-value where it is an estimate",
-       .found = "nothing"});
+  throw input_error({.file = request.file,
+                     .field = request_name("metres_per_step"),
+                     .wanted = "how many metres a step of its whole numbers is (0.001: millimetres), " +
+                               request_name("depth_unit") + " NAME, or " + request_name("depth_value") +
+                               " where it is an estimate",
+                     .found = "nothing"});
 }
 
 }  // namespace
@@ -252,7 +253,7 @@ PhotoDepth read_photo_depth(const PhotoDepthRequest& asked, const Photograph& ph
          .found = fmt::format("{} x {}", shape.width_px, shape.height_px)});
   if (is_panorama && photograph.projection == Projection::perspective && request.estimate &&
       !request.estimate->points.empty())
-    throw input_error({.field = "--depth-point",
+    throw input_error({.field = request_name("depth_point"),
                        .wanted = "depth of the photograph's own view, in whose pixels the points are",
                        .found = "a panorama of depth"});
   if (is_panorama) return panorama_of(request, raw);

@@ -9,6 +9,7 @@
 
 #include "raytracer/tracing/geometry.h"
 #include "renderer/depth/depth_map.h"
+#include "support/text/request_name.h"
 
 namespace seamline::renderer {
 namespace {
@@ -129,10 +130,11 @@ std::string sun_text(const SplitSun& split) {
   const Eigen::Vector3f& to = split.sun.to_sun;
   const Rgb& light = split.sun.irradiance_w_m2;
   return fmt::format(
-      "--to-sun {:.4f} {:.4f} {:.4f} --sun-irradiance {:.4g} {:.4g} {:.4g} --sun-radius {:.3g} (solid angle "
+      "{} {:.4f} {:.4f} {:.4f} {} {:.4g} {:.4g} {:.4g} {} {:.3g} (solid angle "
       "{:.3g} sr; {:.0f} % of the irradiance of a surface that faces it)",
-      to.x(), to.y(), to.z(), light[0], light[1], light[2],
-      double{split.sun.angular_radius_rad} * 180 / std::numbers::pi, split.solid_angle_sr, 100 * split.share);
+      request_name("to_sun"), to.x(), to.y(), to.z(), request_name("sun_irradiance"), light[0], light[1],
+      light[2], request_name("sun_radius"), double{split.sun.angular_radius_rad} * 180 / std::numbers::pi,
+      split.solid_angle_sr, 100 * split.share);
 }
 
 double open_share(const Geometry& depth) {

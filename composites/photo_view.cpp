@@ -8,6 +8,7 @@
 #include "support/files/assets.h"
 #include "support/text/error.h"
 #include "support/text/printable.h"
+#include "support/text/request_name.h"
 
 namespace seamline::renderer {
 namespace {
@@ -18,7 +19,7 @@ void require_view(const CompositeRequest& request) {
   if (!request.look_at_m) return;
   const Eigen::Vector3d& view = *request.look_at_m;
   if (!(view.cross(Eigen::Vector3d::UnitY()).norm() > 1e-9 * view.norm()))
-    throw input_error({.field = "--look-at",
+    throw input_error({.field = request_name("look_at"),
                        .wanted = "a point that is not straight above, below or at the centre",
                        .found = "one that is"});
 }
@@ -41,25 +42,27 @@ Camera pinhole_camera(const CompositeRequest& request, SeenPhoto& seen, int widt
 }
 
 void refuse_view_of_whole(const CompositeRequest& request) {
-  const auto refuse = [&](const char* option) {
+  const auto refuse = [&](const std::string& option) {
     throw input_error({.field = option,
-                       .wanted = "--view WxH beside it, which makes a view of the panorama; or --projection "
-                                 "perspective, where the photograph is none",
+                       .wanted = request_name("view") +
+                                 " WxH beside it, which makes a view of the panorama; or " +
+                                 request_name("projection") + " perspective, where the photograph is none",
                        .found = "a panorama as a whole, which looks everywhere"});
   };
-  if (request.look_at_m) refuse("--look-at");
-  if (request.fov_deg) refuse("--fov");
-  if (request.roll_deg != 0) refuse("--roll");
+  if (request.look_at_m) refuse(request_name("look_at"));
+  if (request.fov_deg) refuse(request_name("fov"));
+  if (request.roll_deg != 0) refuse(request_name("roll"));
 }
 
 void require_one_pose(const CompositeRequest& request) {
-  const auto refuse = [](const char* option) {
-    throw input_error({.field = option,
-                       .wanted = "a --camera without a pose beside it ([world_from_colour])",
-                       .found = "one that says where the camera stands and looks"});
+  const auto refuse = [](const std::string& option) {
+    throw input_error(
+        {.field = option,
+         .wanted = "a " + request_name("camera") + " without a pose beside it ([world_from_colour])",
+         .found = "one that says where the camera stands and looks"});
   };
-  if (request.look_at_m) refuse("--look-at");
-  if (!request.scene_file.empty()) refuse("--scene");
+  if (request.look_at_m) refuse(request_name("look_at"));
+  if (!request.scene_file.empty()) refuse(request_name("scene"));
 }
 
 }  // namespace
@@ -83,7 +86,8 @@ SeenPhoto see(const CompositeRequest& request, Notes& notes) {
     notes.say(warning);
   Image& picture = seen.photograph.radiance;
   if (!request.scene_file.empty()) {
-    seen.scene = read_scene_file(resolve_named_file(request.scene_file, "--scene"), MaterialModel::diffuse);
+    seen.scene = read_scene_file(resolve_named_file(request.scene_file, request_name("scene")),
+                                 MaterialModel::diffuse);
     if (!seen.scene.camera)
       throw input_error(
           {.file = request.scene_file, .wanted = "a camera, which is the photograph's", .found = "none"});
@@ -92,12 +96,13 @@ SeenPhoto see(const CompositeRequest& request, Notes& notes) {
   seen.lens = photograph_lens(request.depth, seen.photograph, request.photograph);
   const bool is_panorama = seen.photograph.projection == Projection::panorama;
   if (is_panorama && seen.lens)
-    throw input_error({.field = "--camera",
-                       .wanted = "a perspective photograph (--projection perspective)",
+    throw input_error({.field = request_name("camera"),
+                       .wanted = "a perspective photograph (" + request_name("projection") + " perspective)",
                        .found = "a panorama, which has no lens"});
   if (request.view_px && !is_panorama)
-    throw input_error(
-        {.field = "--view", .wanted = "a panorama to make a view of", .found = "a perspective photograph"});
+    throw input_error({.field = request_name("view"),
+                       .wanted = "a panorama to make a view of",
+                       .found = "a perspective photograph"});
   if (is_panorama && !request.view_px) {
     refuse_view_of_whole(request);
     seen.panorama = picture;

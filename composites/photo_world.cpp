@@ -12,6 +12,7 @@
 #include "sensors/repair/named_repair.h"
 #include "support/text/error.h"
 #include "support/text/printable.h"
+#include "support/text/request_name.h"
 
 namespace seamline::renderer {
 
@@ -20,18 +21,19 @@ namespace {
 /// Mends depth of the photograph's own view, whose noise would otherwise be shaded.
 void repair_depth(const CompositeRequest& request, const SeenPhoto& seen, PhotoDepth& depth, Notes& notes) {
   const auto wanted = [&](const std::string& what, const std::string& found) {
-    return input_error({.field = "--repair", .wanted = what, .found = found});
+    return input_error({.field = request_name("repair"), .wanted = what, .found = found});
   };
   if (!depth.frame) throw wanted("depth of the photograph's own view", "a panorama");
   const sensors::RepairMethod method = sensors::named_repair(request.repair);
   const Image& photograph = seen.photograph.radiance;
   if (std::holds_alternative<sensors::JointBilateralRepair>(method) &&
       (photograph.width_px != depth.width_px || photograph.height_px != depth.height_px))
-    throw wanted("depth with as many pixels as the photograph beside joint_bilateral (or register --repair)",
+    throw wanted("depth with as many pixels as the photograph beside joint_bilateral (or register " +
+                     request_name("repair") + ")",
                  fmt::format("{} x {}", depth.width_px, depth.height_px));
   sensors::Repaired mended = sensors::repair(*depth.frame, method, &photograph, request.threads);
-  notes.say(fmt::format("--repair {} changed {} pixels of the depth map and gave {} holes a depth",
-                        request.repair, mended.count(sensors::RepairMark::changed),
+  notes.say(fmt::format("{} {} changed {} pixels of the depth map and gave {} holes a depth",
+                        request_name("repair"), request.repair, mended.count(sensors::RepairMark::changed),
                         mended.count(sensors::RepairMark::invented)));
   depth.holes = mended.count(sensors::RepairMark::empty);
   depth.frame = std::move(mended.frame);
@@ -54,8 +56,8 @@ void note_holes(const PhotoDepth& depth, Notes& notes) {
   if (share <= worth_a_note) return;
   notes.say(fmt::format(
       "{:.0f} % of the depth map{} are holes: nothing is hidden and no shadow falls there, and light comes in "
-      "(register --repair fills holes)",
-      100 * share, depth.map ? " below the horizon" : ""));
+      "(register {} fills holes)",
+      100 * share, depth.map ? " below the horizon" : "", request_name("repair")));
 }
 
 }  // namespace

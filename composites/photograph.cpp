@@ -8,6 +8,7 @@
 
 #include "raytracer/common/parallel.h"
 #include "renderer/depth/sensor/sensor_pose.h"
+#include "support/arithmetic/bilinear.h"
 #include "support/files/picture_file.h"
 #include "support/text/error.h"
 #include "support/text/limits.h"
@@ -139,13 +140,9 @@ Rgb panorama_radiance(const Image& panorama, const Eigen::Vector3f& direction) {
       (std::atan2(direction.x(), -direction.z()) / (2 * pi) + 0.5F) * static_cast<float>(width) - 0.5F;
   const float row =
       (0.5F - std::asin(std::clamp(direction.y(), -1.0F, 1.0F)) / pi) * static_cast<float>(height) - 0.5F;
-  const float left = std::floor(column), top = std::floor(row);
-  const int x = (static_cast<int>(left) + width) % width, next = (x + 1) % width;
-  const int y = std::clamp(static_cast<int>(top), 0, height - 1),
-            below = std::clamp(static_cast<int>(top) + 1, 0, height - 1);
-  const float across = column - left, down = row - top;
-  return (1 - down) * ((1 - across) * panorama.rgb(x, y) + across * panorama.rgb(next, y)) +
-         down * ((1 - across) * panorama.rgb(x, below) + across * panorama.rgb(next, below));
+  return bilinear(between_cells(column, row), [&](int x, int y) {
+    return panorama.rgb((x + width) % width, std::clamp(y, 0, height - 1));
+  });
 }
 
 Image view_of_panorama(const Image& panorama, const Camera& camera, int threads) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,8 @@ struct PlaceRequest {
   std::string objects_file, asset_root;
   std::string command;             ///< of `composite`, with the options that both share
   std::vector<std::string> added;  ///< objects beside those of the file: files or "builtin:NAME"
+  /// Hears each sentence about what the window shows and saves, and each note on the photograph's files.
+  std::function<void(const std::string&)> said = [](const std::string&) {}, note = said;
 };
 
 /// Shows the window; null in builds without one.

@@ -9,6 +9,7 @@
 #include "raytracer/light/light_sample.h"
 #include "support/files/atomic_file.h"
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 #include "support/text/text_bounds.h"
 
 namespace seamline::renderer {
@@ -48,7 +49,7 @@ void require_condition(const nlohmann::json& json, const std::filesystem::path& 
       names += (names.empty() ? "" : ", ") + name.get<std::string>();
     }
   if (names.empty() && condition.empty()) return;
-  throw no_thresholds(path, "--condition",
+  throw no_thresholds(path, request_name("condition"),
                       names.empty() ? "none: the study has no conditions" : "one of " + names,
                       condition.empty() ? "none" : "\"" + condition + "\"");
 }
@@ -153,7 +154,7 @@ SeamlessWidth seamless_width(const PresentArtifacts& present, const std::vector<
   SeamlessWidth out;
   int widest = smallest_width_px;
   bool suffices = true;
-  const auto need = [&](Artifact artifact, bool is_present, const char* instead) {
+  const auto need = [&](Artifact artifact, bool is_present, const std::string& instead) {
     if (!is_present) return;
     WidthNeed& one = out.needs.emplace_back(WidthNeed{artifact, std::nullopt, {}});
     const auto known = std::find_if(thresholds.begin(), thresholds.end(),
@@ -174,8 +175,9 @@ SeamlessWidth seamless_width(const PresentArtifacts& present, const std::vector<
   };
   need(Artifact::receiver, present.receiver, "");
   need(Artifact::shadow, present.shadow, "");
-  need(Artifact::occlusion, present.occlusion, "; with --occlusion-mask it needs no depth");
-  need(Artifact::overlap, present.overlap, "; with --shadow-matte it needs no depth");
+  need(Artifact::occlusion, present.occlusion,
+       "; with " + request_name("occlusion_mask") + " it needs no depth");
+  need(Artifact::overlap, present.overlap, "; with " + request_name("shadow_matte") + " it needs no depth");
   if (suffices) out.width_px = widest;
   return out;
 }

@@ -37,6 +37,7 @@
 #include "support/running/memory.h"
 #include "support/running/progress.h"
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline::renderer {
 namespace fs = std::filesystem;
@@ -151,8 +152,8 @@ class SetRenderer {
     if (written.stimuli.size() < earlier_stimuli_)
       summary_.notes.push_back(
           fmt::format("the set had {} stimuli and now has {}: the others were rendered with other settings; "
-                      "render without --only to make them again",
-                      earlier_stimuli_, written.stimuli.size()));
+                      "render without {} to make them again",
+                      earlier_stimuli_, written.stimuli.size(), request_name("only")));
   }
 
   ReportProgress report(double work, const std::string& what) {
@@ -407,9 +408,10 @@ class SetRenderer {
 
 RenderSummary render_set(const StudyDefinition& study, const RenderRequest& request) {
   if (study.clip && request.error && request.estimator != Estimator::fast)
-    throw input_error({.field = "--error",
-                       .wanted = "the fast estimator, or a number of samples (--spp), for a study of clips",
-                       .found = "--estimator " + std::string(word(request.estimator))});
+    throw input_error({.field = request_name("error"),
+                       .wanted = "the fast estimator, or a number of samples (" + request_name("spp") +
+                                 "), for a study of clips",
+                       .found = request_name("estimator") + " " + std::string(word(request.estimator))});
   const StudyDefinition rendered = still_study(study);
   const RenderSummary summary = SetRenderer(study, rendered, request).run();
   if (request.contact_sheet) write_contact_sheets(request.set_folder);

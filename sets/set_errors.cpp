@@ -15,6 +15,7 @@
 #include "stimuli/set/clip_set.h"
 #include "stimuli/set/set_study.h"
 #include "support/files/atomic_file.h"
+#include "support/text/request_name.h"
 #include "support/text/text_bounds.h"
 
 namespace seamline::renderer {
@@ -198,8 +199,8 @@ std::vector<std::string> sentences_on_rare_light(const SetErrors& errors) {
   if (rare == 0) return {};
   return {fmt::format(
       "Rare bright light: a fifth or more of the estimated error of {} of {} stimuli is in one pixel of 500: {}{}. "
-      "Other pixels may not have met that light yet, so these errors may be too low; --true-error measures them.",
-      rare, errors.rows.size(), examples, rare > 3 ? " ..." : "")};
+      "Other pixels may not have met that light yet, so these errors may be too low; {} measures them.",
+      rare, errors.rows.size(), examples, rare > 3 ? " ..." : "", request_name("true_error"))};
 }
 
 std::vector<std::string> sentences_on_changes(const SetErrors& errors) {

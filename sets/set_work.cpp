@@ -7,6 +7,7 @@
 
 #include "sets/set_layers.h"
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline::renderer {
 
@@ -17,7 +18,7 @@ bool SetWork::is_pending(const std::string& truth) const {
 
 InputError no_such_stimulus(const StudyDefinition& study, const std::string& only) {
   return input_error({.file = study.file.string(),
-                      .field = "--only",
+                      .field = request_name("only"),
                       .wanted = "a pattern that matches a stimulus id",
                       .found = "\"" + only + "\""});
 }
@@ -130,7 +131,7 @@ RenderSettings render_settings(const StudyDefinition& study, const RenderRequest
     sets_mesh = sets_mesh || condition.depth.mesh != study.depth.mesh ||
                 condition.depth.mesh_tolerance != study.depth.mesh_tolerance;
   if (request.mesh && sets_mesh)
-    throw input_error({.field = "--mesh",
+    throw input_error({.field = request_name("mesh"),
                        .wanted = "a study whose conditions and levels leave the mesh to the command line",
                        .found = study.file.string() + ", which varies it"});
   return {.spp = request.spp.value_or(study.samples_per_pixel),

@@ -20,6 +20,7 @@
 #include "stimuli/set/manifest_pictures.h"
 #include "support/running/progress.h"
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline::renderer {
 namespace {
@@ -52,7 +53,7 @@ Groups unmeasured(const StudyDefinition& study, const Manifest& manifest, const 
   }
   if (!any)
     throw input_error({.file = request.set_folder.string(),
-                       .field = "--true-error",
+                       .field = request_name("true_error"),
                        .wanted = "a pattern that matches a finished stimulus' id",
                        .found = "\"" + request.pattern + "\""});
   return groups;

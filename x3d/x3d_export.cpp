@@ -13,6 +13,7 @@
 #include "support/files/temporary_folder.h"
 #include "support/running/progress.h"
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 #include "x3d/x3d_openness.h"
 #include "x3d/x3d_page.h"
 
@@ -128,7 +129,8 @@ X3dSummary export_x3d(const X3dRequest& request) {
     summary.hidden_pixels += one == InFront::real ? 1 : 0;
   }
   if (summary.object_pixels == 0)
-    throw input_error({.field = fs::is_directory(request.source, error) ? "--stimulus" : "--position",
+    throw input_error({.field = fs::is_directory(request.source, error) ? request_name("stimulus")
+                                                                        : request_name("position"),
                        .wanted = "an object in the picture",
                        .found = "none"});
 

@@ -16,6 +16,7 @@
 #include "support/files/assets.h"
 #include "support/running/progress.h"
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline::renderer {
 namespace fs = std::filesystem;
@@ -52,7 +53,7 @@ const ManifestStimulus& chosen_stimulus(const X3dRequest& request, const Manifes
   for (const ManifestStimulus& one : manifest.stimuli)
     if (one.id == request.stimulus) return one;
   throw input_error({.file = file,
-                     .field = "--stimulus",
+                     .field = request_name("stimulus"),
                      .wanted = "one of the set, like " + manifest.stimuli.front().id,
                      .found = request.stimulus});
 }
@@ -71,8 +72,9 @@ void require_light(const Light& light, const std::string& source) {
                       light.emitters != nullptr || (light.environment_radiance > 0.0F).any();
   if (!shines)
     throw input_error({.file = source,
-                       .wanted = "a light, a lamp or a surface that emits, or --environment or --to-sun with "
-                                 "--sun-irradiance",
+                       .wanted = "a light, a lamp or a surface that emits, or " +
+                                 request_name("environment") + " or " + request_name("to_sun") + " with " +
+                                 request_name("sun_irradiance"),
                        .found = "none"});
 }
 
@@ -118,7 +120,7 @@ X3dSubject subject_of_scene(const X3dRequest& request) {
                        .wanted = "a rendered set, or a scene: .glb, .gltf or builtin:NAME",
                        .found = "nothing of that name"});
   if (!request.object)
-    throw input_error({.field = "--object",
+    throw input_error({.field = request_name("object"),
                        .wanted = "what is put into the scene: .glb, .gltf or builtin:NAME",
                        .found = "none"});
   const SceneFile file = read_scene_file(resolve_named_file(request.source, "SET_OR_SCENE"));
@@ -126,7 +128,8 @@ X3dSubject subject_of_scene(const X3dRequest& request) {
     throw input_error({.file = request.source, .wanted = "a scene with triangles", .found = "none"});
   if (!request.light.camera && !file.camera)
     throw input_error({.file = request.source,
-                       .wanted = "a camera in the scene, or --at X Y Z and --look-at X Y Z",
+                       .wanted = "a camera in the scene, or " + request_name("at") + " X Y Z and " +
+                                 request_name("look_at") + " X Y Z",
                        .found = "neither"});
   X3dSubject subject;
   subject.title = fs::path(request.source).filename().string() + " with " +

@@ -17,6 +17,7 @@
 #include "support/running/parallel.h"
 #include "support/running/progress.h"
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline::analysis {
 namespace {
@@ -46,11 +47,11 @@ void check_ratings(const PlanRequest& request, const PlannedTask& task) {
   const std::string wanted = "a study that asks for ratings",
                     found = "kind = \"" + std::string(word(task.facts.kind)) + "\", which asks for none";
   if (request.assumed.criteria_sd > 0)
-    throw input_error({.field = "--criteria-sd", .wanted = wanted, .found = found});
+    throw input_error({.field = request_name("criteria_sd"), .wanted = wanted, .found = found});
   if (request.assumed.high_guesses > 0)
-    throw input_error({.field = "--high-guesses", .wanted = wanted, .found = found});
+    throw input_error({.field = request_name("high_guesses"), .wanted = wanted, .found = found});
   if (request.estimator == PlanEstimator::straight_lines)
-    throw input_error({.field = "--estimator", .wanted = "joint, or " + wanted, .found = found});
+    throw input_error({.field = request_name("estimator"), .wanted = "joint, or " + wanted, .found = found});
 }
 
 /// Straight lines join means of ratings, which say nothing of detection.
@@ -58,8 +59,9 @@ void check_detection(const PlanRequest& request) {
   const std::vector<std::string>& asked = request.wanted.quantities;
   if (request.estimator == PlanEstimator::straight_lines &&
       std::find(asked.begin(), asked.end(), "detection") != asked.end())
-    throw input_error(
-        {.field = "--quantities", .wanted = "detection beside --estimator joint", .found = "straight-lines"});
+    throw input_error({.field = request_name("quantities"),
+                       .wanted = "detection beside " + request_name("estimator") + " joint",
+                       .found = "straight-lines"});
 }
 
 /// The study of the conditions that are asked for, where conditions have tasks of their own.
@@ -75,7 +77,7 @@ StudyDefinition of_one_task(const PlanRequest& request, StudyDefinition study) {
     known += fmt::format("{}{} ({})", known.empty() ? "" : ", or ", fmt::join(group.conditions, ","),
                          word(facts_of(group.task.get()).kind));
   }
-  throw input_error({.field = "--conditions",
+  throw input_error({.field = request_name("conditions"),
                      .wanted = "conditions that ask the same: " + known,
                      .found = fmt::format("\"{}\"", fmt::join(request.wanted.conditions, ","))});
 }
@@ -131,16 +133,18 @@ std::vector<double> levels_of(const PlanRequest& request, const StudyDefinition&
 void check_claims(const PlanRequest& request, const std::vector<double>& levels, const LevelAxis& axis) {
   if (request.no_seam && std::find(levels.begin(), levels.end(), request.no_seam->level) == levels.end())
     throw input_error({.file = request.study_file.string(),
-                       .field = "--no-seam-at",
+                       .field = request_name("no_seam_at"),
                        .wanted = "one of the study's levels on the axis",
                        .found = tested_text(axis, request.no_seam->level)});
   const bool compares = !request.wanted.differences.empty();
   if (request.equal_within && !compares)
-    throw input_error(
-        {.field = "--equal-within", .wanted = "--difference A:B beside it", .found = "no comparison"});
+    throw input_error({.field = request_name("equal_within"),
+                       .wanted = request_name("difference") + " A:B beside it",
+                       .found = "no comparison"});
   if (request.wanted.stated_difference && !compares)
-    throw input_error(
-        {.field = "--stated-difference", .wanted = "--difference A:B beside it", .found = "no comparison"});
+    throw input_error({.field = request_name("stated_difference"),
+                       .wanted = request_name("difference") + " A:B beside it",
+                       .found = "no comparison"});
 }
 
 SimulatedStudy simulate_study(const PlanRequest& request, const PlannedPopulation& population,

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline::analysis {
 namespace {
@@ -60,7 +61,7 @@ std::vector<std::string> quantities_asked(const WantedTargets& wanted, const Pla
   for (const std::string& asked : wanted.quantities)
     for (const PlannedQuantity& quantity : every_planned_quantity)
       if (asked == quantity.word && lies_in_floor(quantity, population))
-        throw input_error({.field = "--quantities",
+        throw input_error({.field = request_name("quantities"),
                            .wanted = "a level that guesses alone do not reach, such as corrected-PT",
                            .found = asked});
   if (!wanted.quantities.empty()) return wanted.quantities;
@@ -96,7 +97,7 @@ CurvePairs pairs_of(const std::string& text, const WantedTargets& wanted,
     }
   if (pairs.empty())
     throw input_error(
-        {.field = "--difference",
+        {.field = request_name("difference"),
          .wanted = fmt::format("A:B, two of the study's artifacts ({}) or conditions ({})",
                                fmt::join(artifacts_of(curves), ", "), fmt::join(conditions_of(curves), ", ")),
          .found = text});
@@ -120,9 +121,9 @@ std::string name_of(const PlanTarget& target, const std::vector<PlannedCurve>& c
 
 std::vector<PlanTarget> plan_targets(const WantedTargets& wanted, const PlannedPopulation& population,
                                      std::vector<PlannedCurve>& curves) {
-  require_known("--quantities", wanted.quantities, quantities_of(population.task));
-  require_known("--artifacts", wanted.artifacts, artifacts_of(curves));
-  require_known("--conditions", wanted.conditions, conditions_of(curves));
+  require_known(request_name("quantities"), wanted.quantities, quantities_of(population.task));
+  require_known(request_name("artifacts"), wanted.artifacts, artifacts_of(curves));
+  require_known(request_name("conditions"), wanted.conditions, conditions_of(curves));
   CurvePairs pairs;
   for (const std::string& text : wanted.differences)
     for (const auto& pair : pairs_of(text, wanted, curves)) pairs.push_back(pair);
@@ -146,7 +147,7 @@ std::vector<PlanTarget> plan_targets(const WantedTargets& wanted, const PlannedP
                            .truth_x = truth_of(population, curves[to], quantity) -
                                       truth_of(population, curves[from], quantity)});
   if (targets.empty())
-    throw input_error({.field = "--artifacts",
+    throw input_error({.field = request_name("artifacts"),
                        .wanted = "something to measure",
                        .found = "no curve that has this artifact in this condition"});
   return targets;

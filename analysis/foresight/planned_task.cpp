@@ -4,6 +4,7 @@
 
 #include "study/observers/observer.h"
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline::analysis {
 
@@ -18,7 +19,7 @@ PlannedTask planned_task(const StudyDefinition& study, std::optional<double> fal
          .found = "\"" + kind + "\""});
   if (study.task) task.repetitions = study.task->repetitions;
   if (false_alarms && !task.facts.right_is_yes)
-    throw input_error({.field = "--false-alarms",
+    throw input_error({.field = request_name("false_alarms"),
                        .wanted = "a [task] of kind \"yes_no\" or \"rating\" in the study",
                        .found = "\"" + kind + "\""});
   if (!task.facts.right_is_yes) return task;

@@ -14,6 +14,7 @@
 #include "study/observers/observer.h"
 #include "study/trials/rendered_set.h"
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline::analysis {
 namespace {
@@ -57,10 +58,10 @@ double receiver_threshold(const Manifest& manifest, const VisibleDifferences& di
     for (const PredictedCell& cell : artifact.cells) widths.push_back(std::log2(cell.level));
     return largest_x_at(perceptual_level, widths, artifact.thresholds.isotonic.value);
   }
-  throw input_error(
-      {.field = "the gain",
-       .wanted = "--gain, observer.image_gain, or a set with the artifact receiver to fix it on",
-       .found = "none of them"});
+  throw input_error({.field = "the gain",
+                     .wanted = request_name("gain") +
+                               ", observer.image_gain, or a set with the artifact receiver to fix it on",
+                     .found = "none of them"});
 }
 
 SceneSpread spread_of(Artifact artifact, const char* quantity, const std::vector<CurveThresholds>& curves,
@@ -201,7 +202,7 @@ double calibrated_gain(const Manifest& manifest, const VisibleDifferences& diffe
   const double found = receiver_threshold(manifest, differences, observer);
   if (!(std::abs(found - wanted) < 1e-3))
     throw input_error(
-        {.field = "--calibrate",
+        {.field = request_name("calibrate"),
          .wanted = fmt::format("a gain that puts the receiver's threshold at {:.0f} px", receiver_px),
          .found = "none: the threshold jumps over that width"});
   return *observer.image_gain;
@@ -215,16 +216,18 @@ Prediction predict_thresholds(const PredictionRequest& request) {
   if (request.calibrate && set.study.level.quantity != Quantity::depth_width_px)
     throw input_error({.file = manifest_file,
                        .field = "level.quantity",
-                       .wanted = "\"depth_width_px\", on which the paper's threshold is, or no --calibrate",
+                       .wanted = "\"depth_width_px\", on which the paper's threshold is, or no " +
+                                 request_name("calibrate"),
                        .found = "\"" + std::string(facts(set.study.level.quantity).key) + "\""});
   if (request.calibrate && !task.asks_as_paper())
-    throw input_error({.file = manifest_file,
-                       .field = "--calibrate",
-                       .wanted = "the paper's task, of which its threshold is, or no --calibrate",
-                       .found = "kind = \"" + std::string(word(task.facts.kind)) + "\"" +
-                                (task.facts.kind == TaskKind::object && task.facts.rates
-                                     ? fmt::format(" of {} objects", task.facts.objects)
-                                     : "")});
+    throw input_error(
+        {.file = manifest_file,
+         .field = request_name("calibrate"),
+         .wanted = "the paper's task, of which its threshold is, or no " + request_name("calibrate"),
+         .found = "kind = \"" + std::string(word(task.facts.kind)) + "\"" +
+                  (task.facts.kind == TaskKind::object && task.facts.rates
+                       ? fmt::format(" of {} objects", task.facts.objects)
+                       : "")});
   if (set.study.conditions.size() > 1)
     throw input_error({.file = manifest_file,
                        .field = "condition",

@@ -18,6 +18,7 @@
 #include "study/observers/observer.h"
 #include "support/files/assets.h"
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline::analysis {
 
@@ -49,9 +50,9 @@ std::vector<std::string> notes_on_people(const Analysis& analysis) {
       uncorrected.push_back(person.record.code);
   if (!uncorrected.empty())
     notes.push_back(fmt::format(
-        "{} participant{} used whose vision is neither normal nor corrected ({}); --exclude-uncorrected "
-        "leaves them out.",
-        uncorrected.size(), uncorrected.size() == 1 ? " is" : "s are", fmt::join(uncorrected, ", ")));
+        "{} participant{} used whose vision is neither normal nor corrected ({}); {} leaves them out.",
+        uncorrected.size(), uncorrected.size() == 1 ? " is" : "s are", fmt::join(uncorrected, ", "),
+        request_name("exclude_uncorrected")));
   if (analysis.log.forgotten_participants > 0)
     notes.push_back(fmt::format("{} participants were deleted from the log at their request.",
                                 analysis.log.forgotten_participants));
@@ -101,11 +102,12 @@ bool leaves_out(const AnalysisOptions& options, ScreeningRule rule) {
 void add_notes_on_screening(Analysis& analysis) {
   for (ScreeningRule rule : every_screening_rule)
     if (const std::vector<std::string> named = analysis.screening.named_by(rule); !named.empty())
-      analysis.notes.push_back(fmt::format("Screening by {} names {} participant{} ({}), {}.", word(rule),
-                                           named.size(), named.size() == 1 ? "" : "s", fmt::join(named, ", "),
-                                           leaves_out(analysis.options, rule)
-                                               ? "left out"
-                                               : "used all the same unless --exclude-screened is given"));
+      analysis.notes.push_back(
+          fmt::format("Screening by {} names {} participant{} ({}), {}.", word(rule), named.size(),
+                      named.size() == 1 ? "" : "s", fmt::join(named, ", "),
+                      leaves_out(analysis.options, rule)
+                          ? "left out"
+                          : "used all the same unless " + request_name("exclude_screened") + " is given"));
   if (analysis.options.exclude_screened)
     for (ScreeningRule rule : {ScreeningRule::kurtosis, ScreeningRule::correlation})
       if (const std::string why = why_not_judged(analysis.screening, rule); !why.empty())
@@ -125,8 +127,8 @@ void leave_out_screened(Analysis& analysis) {
     throw input_error({.file = analysis.log.file.string(),
                        .field = "",
                        .wanted = "at least one participant whom no screen names",
-                       .found = "all of them named (without --exclude-screened and "
-                                "--exclude-inattentive they are used)"});
+                       .found = "all of them named (without " + request_name("exclude_screened") + " and " +
+                                request_name("exclude_inattentive") + " they are used)"});
   analysis.scores = score_matrix(analysis.log, analysis.people, analysis.conditions);
 }
 

@@ -11,6 +11,7 @@
 #include "analysis/log_analysis/participant_facts.h"
 #include "analysis/statistics/jackknife_degrees.h"
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline::analysis {
 
@@ -38,7 +39,7 @@ AskedField asked_field(const std::string& text) {
   for (std::string piece; std::getline(bounds, piece, ',');) {
     const std::optional<double> bound = as_number(piece);
     if (!bound || (!asked.bounds.empty() && *bound <= asked.bounds.back()))
-      throw input_error({.field = "--compare " + asked.name,
+      throw input_error({.field = request_name("compare") + " " + asked.name,
                          .wanted = "bounds of bands as rising numbers, 30,45",
                          .found = piece});
     asked.bounds.push_back(*bound);
@@ -51,7 +52,7 @@ void require_field(const Analysis& analysis, const std::string& name) {
   if (name == "origin" || name == "condition" ||
       std::find(questions.begin(), questions.end(), name) != questions.end())
     return;
-  throw input_error({.field = "--compare",
+  throw input_error({.field = request_name("compare"),
                      .wanted = fmt::format(
                          "a question of the form that somebody answered ({}), origin or condition",
                          questions.empty() ? "there is none" : fmt::format("{}", fmt::join(questions, ", "))),

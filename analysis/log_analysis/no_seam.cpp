@@ -7,6 +7,7 @@
 #include "analysis/scores/cells.h"
 #include "analysis/statistics/distributions.h"
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline::analysis {
 
@@ -49,7 +50,7 @@ std::vector<double> scores_without_guesses(const JointData& data, std::size_t ce
 std::vector<std::string> no_seam_sentences(const Analysis& analysis, double level, double margin) {
   if (analysis.adaptive || !analysis.joint)
     throw input_error({.file = analysis.log.file.string(),
-                       .field = "--no-seam-at",
+                       .field = request_name("no_seam_at"),
                        .wanted = "constant stimuli, analysed by the joint model",
                        .found = analysis.adaptive ? "levels placed by the answers" : "model = \"paper\""});
   const JointData& data = analysis.joint->data;
@@ -82,7 +83,7 @@ std::vector<std::string> no_seam_sentences(const Analysis& analysis, double leve
     }
   if (sentences.empty())
     throw input_error({.file = analysis.log.file.string(),
-                       .field = "--no-seam-at",
+                       .field = request_name("no_seam_at"),
                        .wanted = "one of the levels that people were shown",
                        .found = tested_text(axis, level)});
   return sentences;

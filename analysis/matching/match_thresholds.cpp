@@ -12,6 +12,7 @@
 #include "analysis/statistics/distributions.h"
 #include "stimuli/study_file/study_file.h"
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline::analysis {
 namespace {
@@ -137,11 +138,11 @@ MatchAnalysis analyze_matches(study::LogContents log, std::vector<ParticipantUse
   for (const ParticipantUse& person : analysis.people)
     if (person.use == Use::used) used.insert(person.record.code);
   if (used.empty())
-    throw input_error(
-        {.file = analysis.log.file.string(),
-         .field = "participants",
-         .wanted = "at least one who finished and is not excluded (pilots count with --include-pilot)",
-         .found = fmt::format("{} in the log", analysis.people.size())});
+    throw input_error({.file = analysis.log.file.string(),
+                       .field = "participants",
+                       .wanted = "at least one who finished and is not excluded (pilots count with " +
+                                 request_name("include_pilot") + ")",
+                       .found = fmt::format("{} in the log", analysis.people.size())});
   std::vector<CurveName> order;
   std::map<CurveName, std::map<std::string, std::vector<study::MatchRecord>>> of_curve;
   for (study::MatchRecord& match : study::read_matches(analysis.log)) {

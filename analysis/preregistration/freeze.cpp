@@ -12,20 +12,23 @@
 #include "support/files/atomic_file.h"
 #include "support/text/error.h"
 #include "support/text/printable.h"
+#include "support/text/request_name.h"
 
 namespace seamline::analysis {
 namespace {
 
 void require_thresholds(const std::vector<std::string>& thresholds) {
   if (thresholds.empty())
-    throw input_error({.field = "--thresholds", .wanted = "at least one of PT, SN and IP", .found = "none"});
+    throw input_error(
+        {.field = request_name("thresholds"), .wanted = "at least one of PT, SN and IP", .found = "none"});
   std::string known;
   for (const ThresholdRule& rule : threshold_rules)
     known += (known.empty() ? "" : ", ") + std::string(rule.name);
   for (const std::string& name : thresholds)
     if (std::none_of(threshold_rules.begin(), threshold_rules.end(),
                      [&](const ThresholdRule& rule) { return name == rule.name; }))
-      throw input_error({.field = "--thresholds", .wanted = known + ", with commas", .found = name});
+      throw input_error(
+          {.field = request_name("thresholds"), .wanted = known + ", with commas", .found = name});
 }
 
 void require_text(const std::string& field, const std::string& text) {
@@ -38,14 +41,14 @@ void require_what_rules_need(const StudyDefinition& study, const FrozenAnalysis&
   if (analysis.exclude_inattentive && study.catches.attention == 0)
     throw input_error({.file = file.string(),
                        .field = "catch.attention",
-                       .wanted = "attention trials, for --exclude-inattentive",
+                       .wanted = "attention trials, for " + request_name("exclude_inattentive"),
                        .found = "none"});
   const bool asks = std::any_of(study.form.begin(), study.form.end(),
                                 [](const FormField& field) { return field.name == vision_question; });
   if (analysis.exclude_uncorrected && !asks)
     throw input_error({.file = file.string(),
                        .field = "form",
-                       .wanted = "a question 'vision', for --exclude-uncorrected",
+                       .wanted = "a question 'vision', for " + request_name("exclude_uncorrected"),
                        .found = "none"});
 }
 
@@ -65,7 +68,7 @@ FrozenSet frozen_set(const std::filesystem::path& folder, const StudyDefinition&
 Preregistration freeze_study(const std::filesystem::path& study_file,
                              const std::vector<std::filesystem::path>& sets, FrozenAnalysis analysis) {
   require_thresholds(analysis.thresholds);
-  require_text("--by-hand", analysis.by_hand);
+  require_text(request_name("by_hand"), analysis.by_hand);
   const StudyDefinition study = read_study(study_file, AssetCheck::not_needed);
   require_what_rules_need(study, analysis, study_file);
   Preregistration content{.program_version = program_version(),

@@ -8,6 +8,7 @@
 
 #include "support/text/error.h"
 #include "support/text/numbers.h"
+#include "support/text/request_name.h"
 
 namespace seamline::analysis {
 
@@ -157,7 +158,7 @@ ObjectTallies tallies_of_somebody(const study::LogContents& log, const std::vect
                        .field = "",
                        .wanted = "answers of at least one completed participant who is not excluded",
                        .found = "none among " + std::to_string(people.size()) +
-                                " participants (pilot data need --include-pilot)"});
+                                " participants (pilot data need " + request_name("include_pilot") + ")"});
   return tallies;
 }
 

@@ -111,6 +111,7 @@ void run_bench(const CommandLine& line) {
 void add_bench_command(CLI::App& app) {
   auto line = std::make_shared<CommandLine>();
   line->options.threads = default_thread_count();
+  line->options.said = [](const std::string& found) { fmt::print(stderr, "  {}\n", found); };
   CLI::App* bench = app.add_subcommand("bench", "how fast the renderer is, beside what it could be");
   std::vector<std::string> names;
   for (const Benchmark& benchmark : benchmarks()) names.emplace_back(benchmark.name);

@@ -20,7 +20,11 @@ struct EvidenceOptions {
 
 fs::path made_page(const EvidencePage& page, const EvidenceOptions& options) {
   if (options.tables) return renew_evidence(page, options.pages);
-  return remake_evidence(page, {.out = options.out, .small = options.small, .pages = options.pages});
+  return remake_evidence(
+      page, {.out = options.out,
+             .small = options.small,
+             .pages = options.pages,
+             .said = [](const std::string& step) { fmt::print(stderr, "evidence {}\n", step); }});
 }
 
 void list_evidence() {

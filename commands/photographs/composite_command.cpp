@@ -264,7 +264,13 @@ void run_place(const CompositeOptions& options, const std::vector<std::string>& 
                        .objects_file = options.objects,
                        .asset_root = options.asset_root,
                        .command = shared_command(command),
-                       .added = added};
+                       .added = added,
+                       .said =
+                           [](const std::string& sentence) {
+                             fmt::print("{}\n", sentence);
+                             std::fflush(stdout);
+                           },
+                       .note = [](const std::string& note) { fmt::print(stderr, "note: {}\n", note); }};
   CompositeOptions photo = options;
   const bool is_there = std::filesystem::exists(options.objects);
   if (!is_there) photo.objects.clear();

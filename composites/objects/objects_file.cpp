@@ -6,6 +6,7 @@
 #include "support/files/assets.h"
 #include "support/files/toml_table.h"
 #include "support/text/limits.h"
+#include "support/text/request_name.h"
 
 namespace seamline::renderer {
 namespace {
@@ -62,10 +63,10 @@ PlacedModel read_object(const TomlTable& table, const AssetFolders& folders) {
 
 /// What `read_light` reads besides, and the command has options for.
 void refuse_options(const TomlTable& table) {
-  for (const auto& [key, option] :
-       {std::pair{"albedo", "--albedo"}, {"bounces", "--bounces"}, {"exposure_ev", "--exposure"}})
-    if (table.has(key))
-      throw table.complaint(key, std::string("the option ") + option + " of the command", "a key");
+  for (const auto& [key, option] : {std::pair{"albedo", request_name("albedo")},
+                                    {"bounces", request_name("bounces")},
+                                    {"exposure_ev", request_name("exposure")}})
+    if (table.has(key)) throw table.complaint(key, option + ", which the composite is asked with", "a key");
   for (const char* key : {"materials", "object_metallic", "object_roughness", "ambient_occlusion",
                           "ao_distance_m", "sun_radius_deg"})
     if (table.has(key)) throw table.complaint(key, "keys of light and tables [[object]]", "a key of studies");

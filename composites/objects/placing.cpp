@@ -15,6 +15,7 @@
 #include "support/running/overloaded.h"
 #include "support/text/error.h"
 #include "support/text/printable.h"
+#include "support/text/request_name.h"
 
 namespace seamline::renderer {
 namespace {
@@ -162,7 +163,7 @@ OpenedObjects open_objects(const fs::path& file, const fs::path& asset_root) {
 
 PlacedModel new_object(const std::string& named) {
   PlacedModel model;
-  model.path = resolve_named_file(named, "--add");
+  model.path = resolve_named_file(named, request_name("add"));
   model.file = named;
   model.height_m = 0.5;
   model.stands = true;

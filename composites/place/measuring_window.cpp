@@ -27,8 +27,8 @@ constexpr const char* measuring_help =
 
 class Measurer {
  public:
-  Measurer(const renderer::CompositeRequest& photo, const renderer::SeenPhoto& seen)
-      : photo_(photo),
+  Measurer(const renderer::PlaceRequest& request, const renderer::SeenPhoto& seen)
+      : request_(request),
         seen_(seen),
         aspect_(double{1} * seen.camera.width_px / seen.camera.height_px),
         window_({.title = "Seamline",
@@ -45,13 +45,12 @@ class Measurer {
     texture_.upload(display_image(
         renderer::photograph_sized(seen.photograph.radiance, width_px,
                                    std::max(1, static_cast<int>(std::lround(width_px / aspect_)))),
-        photo.exposure_ev));
+        request.photo.exposure_ev));
   }
 
   std::vector<sensors::KnownPoint> run() {
     show();
-    fmt::print("depth has no scale yet: click places and type their distances\n");
-    std::fflush(stdout);
+    request_.said("depth has no scale yet: click places and type their distances");
     while (true) {
       stop_if_interrupted();
       for (FrameInput input = window_.next_input(longest_wait_s); input.anything;
@@ -68,7 +67,7 @@ class Measurer {
 
  private:
   [[nodiscard]] std::vector<sensors::KnownPoint> points() const {
-    return renderer::known_points(measuring_.known, seen_, photo_.depth);
+    return renderer::known_points(measuring_.known, seen_, request_.photo.depth);
   }
 
   /// What the line of all known points is, by the reader that `composite` uses.
@@ -76,7 +75,7 @@ class Measurer {
     fits_ = false;
     said_.clear();
     if (measuring_.known.size() < least_known) return;
-    renderer::PhotoDepthRequest depth = photo_.depth;
+    renderer::PhotoDepthRequest depth = request_.photo.depth;
     depth.estimate->points = points();
     try {
       const renderer::PhotoDepth read =
@@ -87,8 +86,7 @@ class Measurer {
     } catch (const InputError& error) {
       said_ = error.what();
     }
-    fmt::print("{} places: {}\n", measuring_.known.size(), said_);
-    std::fflush(stdout);
+    request_.said(fmt::format("{} places: {}", measuring_.known.size(), said_));
   }
 
   [[nodiscard]] std::string line() const {
@@ -128,7 +126,7 @@ class Measurer {
     window_.show();
   }
 
-  const renderer::CompositeRequest& photo_;
+  const renderer::PlaceRequest& request_;
   const renderer::SeenPhoto& seen_;
   double aspect_;
   Window window_;
@@ -146,9 +144,9 @@ bool needs_measuring(const renderer::PhotoDepthRequest& depth) {
          depth.estimate->reference.empty();
 }
 
-std::vector<sensors::KnownPoint> measure_in_window(const renderer::CompositeRequest& photo,
+std::vector<sensors::KnownPoint> measure_in_window(const renderer::PlaceRequest& request,
                                                    const renderer::SeenPhoto& seen) {
-  return Measurer(photo, seen).run();
+  return Measurer(request, seen).run();
 }
 
 }  // namespace seamline::place

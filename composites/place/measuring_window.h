@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "composites/photo_view.h"
+#include "composites/place_request.h"
 
 namespace seamline::place {
 
@@ -11,7 +12,7 @@ namespace seamline::place {
 /// Shows the photograph, and lets a person click places and type their distances, until scale and shift are
 /// known (`sensors::fit_depth`); the line and its errors are shown as soon as there are two. Empty: the
 /// window was left. Throws InputError where there is no screen or the map cannot be read.
-[[nodiscard]] std::vector<sensors::KnownPoint> measure_in_window(const renderer::CompositeRequest& photo,
+[[nodiscard]] std::vector<sensors::KnownPoint> measure_in_window(const renderer::PlaceRequest& request,
                                                                  const renderer::SeenPhoto& seen);
 
 }  // namespace seamline::place

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -79,7 +78,7 @@ class Placer {
     placing_.objects = std::move(opened.objects);
     for (const std::string& named : request.added) placing_.objects.push_back(renderer::new_object(named));
     saving_.changed = !request.added.empty();
-    for (const std::string& sentence : preview_.stand(placing_.objects)) fmt::print("{}\n", sentence);
+    for (const std::string& sentence : preview_.stand(placing_.objects)) request.said(sentence);
     const std::filesystem::path outside = renderer::name_for(request.objects_file, placing_.objects);
     command_ = request.command + " --objects " + shell_word(request.objects_file);
     if (!outside.empty()) command_ += " --asset-root " + shell_word(outside.string());
@@ -87,13 +86,13 @@ class Placer {
                 shell_word(std::filesystem::path(request.objects_file).replace_extension(".png").string());
     floor_ = preview_.floor();
     if (floor_)
-      fmt::print(
-          "the floor: {:.2f} m {} the camera, {:.0f} % of the picture, {:.1f} to {:.1f} m away; its grid is of {} m\n",
+      request.said(fmt::format(
+          "the floor: {:.2f} m {} the camera, {:.0f} % of the picture, {:.1f} to {:.1f} m away; its grid is of {} m",
           std::abs(floor_->height_m - world.seen.centre_m.y()),
           floor_->height_m < world.seen.centre_m.y() ? "below" : "above", 100 * floor_->share,
-          floor_->nearest_m, floor_->farthest_m, grid_m);
+          floor_->nearest_m, floor_->farthest_m, grid_m));
     else
-      fmt::print("no floor is seen: no surface of the picture is level\n");
+      request.said("no floor is seen: no surface of the picture is level");
     shows_floor_ = floor_.has_value();
   }
 
@@ -104,10 +103,9 @@ class Placer {
     bool more = preview_.refine(), first = true;
     for (bool stays = true; stays;) {
       show();
-      if (std::exchange(first, false)) {
-        fmt::print("first picture after {:.3f} s\n", static_cast<double>(monotonic_ns() - begun_ns) * 1e-9);
-        std::fflush(stdout);
-      }
+      if (std::exchange(first, false))
+        request_.said(fmt::format("first picture after {:.3f} s",
+                                  static_cast<double>(monotonic_ns() - begun_ns) * 1e-9));
       stop_if_interrupted();
       bool changed = false;
       FrameInput input = window_.next_input(more ? 0.0 : longest_wait_s);
@@ -129,8 +127,8 @@ class Placer {
     if (wanted.wish == Wish::save) {
       renderer::save_objects(request_.objects_file, head_, command_, placing_.objects);
       saving_ = {.said = "saved"};
-      fmt::print("saved {}; its picture is made by\n  {}\n", printable(request_.objects_file), command_);
-      std::fflush(stdout);
+      request_.said(
+          fmt::format("saved {}; its picture is made by\n  {}", printable(request_.objects_file), command_));
     }
     if (wanted.wish == Wish::floor) {
       shows_floor_ = floor_ && !shows_floor_;
@@ -192,18 +190,17 @@ void place_in_window(const renderer::PlaceRequest& asked_for) {
   renderer::OpenedObjects opened;
   if (std::filesystem::exists(request.objects_file))
     opened = renderer::open_objects(request.objects_file, request.asset_root);
-  renderer::Notes notes(
-      {.line = {}, .note = [](const std::string& note) { fmt::print(stderr, "note: {}\n", note); }});
+  renderer::Notes notes({.line = {}, .note = request.note});
   renderer::PhotoWorld world;
   world.seen = renderer::see(request.photo, notes);
   if (needs_measuring(request.photo.depth)) {
-    std::vector<sensors::KnownPoint> points = measure_in_window(request.photo, world.seen);
+    std::vector<sensors::KnownPoint> points = measure_in_window(request, world.seen);
     if (points.empty()) return;
     request.command += renderer::point_options(points);
     request.photo.depth.estimate->points = std::move(points);
   }
   renderer::read_photo_world(request.photo, world, notes);
-  for (const std::string& light : world.known.text) fmt::print("light: {}\n", light);
+  for (const std::string& light : world.known.text) request.said("light: " + light);
   Placer(request, world, std::move(opened)).run();
 }
 

@@ -30,6 +30,8 @@ struct BenchLine {
 struct BenchOptions {
   bool quick = false;  ///< smaller maps and pictures, fewer repeats: whether it runs, not how fast
   int threads = 1;     ///< of passes and builds; rays a second are of one thread
+  /// Hears what a long measurement has found so far.
+  std::function<void(const std::string&)> said = [](const std::string&) {};
 };
 
 /// Measurements that belong together.

@@ -27,6 +27,7 @@ struct GivenBackground {
   int first_spp = 16, most_spp = 256;  ///< where looking for the wanted error begins and ends
   double least_error = 0.01;           ///< likewise of `fast`, as a share of the mean radiance
   int threads = 1;
+  std::function<void(const std::string&)> said = {};
   double mean_radiance = 0;  ///< of the background there
 
   [[nodiscard]] Rgb radiance(std::size_t pixel) const {
@@ -80,7 +81,7 @@ struct Reached {
 /// Renders, and says how long the part took that a composite costs when its background is given.
 using Render = std::function<StimulusSums(double& seconds)>;
 
-/// Says to standard error what was found: each attempt takes as long as all before it.
+/// Says what was found: each attempt takes as long as all before it.
 Reached attempt(const GivenBackground& given, std::string how, const Render& render) {
   Reached reached{.how = std::move(how)};
   const StimulusSums sums = render(reached.seconds);
@@ -88,7 +89,7 @@ Reached attempt(const GivenBackground& given, std::string how, const Render& ren
   static_cast<void>(compose(sums, Compositing::ratio, given.threads));
   reached.seconds += watch.seconds();
   reached.relative_rmse = given.relative_rmse(sums);
-  fmt::print(stderr, "  {}, {:.2f} s\n", reached.text(), reached.seconds);
+  given.said(fmt::format("{}, {:.2f} s", reached.text(), reached.seconds));
   return reached;
 }
 
@@ -185,11 +186,12 @@ std::vector<BenchLine> bench_picture(const BenchOptions& options) {
       subject_mesh(subject, map, subject.study.depth.mesh, subject.study.depth.mesh_tolerance),
       Rgb::Constant(static_cast<float>(subject.scene.definition.albedo)), TreeQuality::for_few_rays);
   const double mesh_seconds = mesh_watch.seconds();
-  fmt::print(stderr, "  the reference, by path\n");
+  options.said("the reference, by path");
   GivenBackground given = given_background(
       render_path(subject, subject.recipe, subject.geometry, depth,
                   subject.pass(options.quick ? 16 : 64, subject.study.seed + reference_seed_offset)));
   given.threads = subject.threads;
+  given.said = options.said;
   if (options.quick) {
     given.first_spp = 2;
     given.most_spp = 8;

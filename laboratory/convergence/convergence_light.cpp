@@ -11,6 +11,7 @@
 #include "raytracer/common/parallel.h"
 #include "support/running/progress.h"
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline::renderer {
 namespace {
@@ -140,7 +141,7 @@ LightResult measure_light(const ConvergenceSubject& subject) {
   if (strategies.empty())
     throw input_error(
         {.file = subject.study.file.string(),
-         .field = "--parts light",
+         .field = request_name("parts") + " light",
          .wanted = "a scene with a sky, an environment map, lamps, suns with size or surfaces that glow",
          .found = "hard suns alone, which one ray finds"});
   const Sampling sampling(truth, subject.scene.camera, subject.threads);

@@ -92,8 +92,8 @@ EstimateResult measure_filter(const ConvergenceSubject& subject) {
       .limit = camera_rays(subject),
       .expected = -0.5,
       .why =
-          "independent samples; what a filter blurs away stays, and is the bias that renderings with "
-          "`--error` look for"};
+          "independent samples; what a filter blurs away stays, and is the bias that renderings to a "
+          "wanted error look for"};
   const TruthSums long_truth =
       render_truth(subject.scene, subject.geometry, subject.pass(reference_spp, subject.study.seed + 1));
   const Image reference = reference_image(long_truth);

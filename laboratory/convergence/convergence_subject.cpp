@@ -4,6 +4,7 @@
 
 #include "raytracer/common/parallel.h"
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline::renderer {
 namespace {
@@ -14,8 +15,9 @@ Stimulus the_one_stimulus(const StudyDefinition& study, const std::string& only)
     if (matches_pattern(stimulus_id(stimulus), only)) matching.push_back(stimulus);
   if (matching.size() != 1)
     throw input_error({.file = study.file.string(),
-                       .field = "--only",
-                       .wanted = "a pattern that matches one stimulus id (render --dry-run lists them)",
+                       .field = request_name("only"),
+                       .wanted = "a pattern that matches one stimulus id (render " + request_name("dry_run") +
+                                 " lists them)",
                        .found = fmt::format("\"{}\", which matches {}", only, matching.size())});
   return matching.front();
 }
@@ -76,7 +78,7 @@ ConvergenceSubject load_subject(StudyDefinition study, const ConvergenceRequest&
   const Recipe how = recipe(stimulus.artifact, study.isolation);
   if (!how.answers.needs_depth())
     throw input_error({.file = study.file.string(),
-                       .field = "--only",
+                       .field = request_name("only"),
                        .wanted = "a stimulus that asks something of the depth mesh",
                        .found = stimulus_id(stimulus)});
   if (stimulus.depth.albedo != MeshAlbedo::constant)

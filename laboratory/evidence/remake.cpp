@@ -109,19 +109,20 @@ void note_made(const fs::path& folder, const std::string& step, double processor
 }
 
 /// What the step printed; run now unless NAME.txt begins with the line that this run would write.
-StepRecord step_record(const EvidencePage& page, const EvidenceStep& step, const fs::path& folder) {
+StepRecord step_record(const EvidencePage& page, const EvidenceStep& step, const fs::path& folder,
+                       const RemakeOptions& options) {
   const fs::path file = folder / (step.name + ".txt");
   const std::string first_line = made_by() + ": " + step.command + "\n";
   std::error_code error;
   if (fs::exists(file, error))
     if (const std::string before = read_file(file); before.starts_with(first_line)) {
-      fmt::print(stderr, "evidence {}: {}, made before\n", page.name, step.name);
+      options.said(fmt::format("{}: {}, made before", page.name, step.name));
       return {step, before.substr(first_line.size())};
     }
   const StepCommand command = command_of(step);
   if (access(command.words.front().c_str(), X_OK) != 0 && is_optional(step))
     return {step, "left out: no source here\n"};
-  fmt::print(stderr, "evidence {}: {}\n", page.name, step.command);
+  options.said(fmt::format("{}: {}", page.name, step.command));
   ChildProcess child{.command = command.words, .environment = command.variables, .folder = folder};
   child.environment.push_back("SEAMLINE_EVIDENCE_FOLDER=" + folder.string());
   const double before_s = children_processor_s();
@@ -196,7 +197,7 @@ fs::path remake_evidence(const EvidencePage& page, const RemakeOptions& options)
   prepare_output_folder(folder);
   std::vector<StepRecord> records;
   for (const EvidenceStep& step : steps_of(page, options.small))
-    records.push_back(step_record(page, step, folder));
+    records.push_back(step_record(page, step, folder, options));
   std::error_code error;
   for (const EvidenceFigure& figure : page.figures)
     if (fs::exists(folder / figure.table, error)) draw_evidence(folder, figure);

@@ -1,5 +1,7 @@
 #pragma once
 #include <filesystem>
+#include <functional>
+#include <string>
 
 #include "laboratory/evidence/evidence_page.h"
 
@@ -9,6 +11,7 @@ struct RemakeOptions {
   std::filesystem::path out;         ///< a folder for each page is made in it
   bool small = false;                ///< shows in seconds that the page can be remade, not its numbers
   std::filesystem::path pages = {};  ///< documentation/evidence/ of the source, to be renewed; or none
+  std::function<void(const std::string&)> said = [](const std::string&) {};  ///< hears each step that begins
 };
 
 /// Why a page cannot be remade here, as a part of a sentence; empty where it can.

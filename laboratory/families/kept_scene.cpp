@@ -13,6 +13,7 @@
 #include "support/files/temporary_folder.h"
 #include "support/running/interrupt.h"
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline::laboratory {
 namespace {
@@ -120,7 +121,7 @@ KeptScene scene_that_keeps_rules(SceneFamily family, std::uint64_t seed, int num
     kept.scene = as_shown(kept.scene);
     return kept;
   }
-  throw input_error({.field = "--seed",
+  throw input_error({.field = request_name("seed"),
                      .wanted = "a seed whose scenes keep the rules",
                      .found = fmt::format("{}: number {} of {} broke one in {} scenes", seed, number,
                                           word(family), most_scenes)});

@@ -7,12 +7,13 @@
 #include "renderer/estimators/sensed_scene.h"
 #include "sensors/noise/measurement.h"
 #include "support/files/assets.h"
+#include "support/text/request_name.h"
 
 namespace seamline::renderer {
 
 SensedDepth sense_depth(const DepthSubject& request) {
   const auto point_of = [](const std::array<double, 3>& v) { return Eigen::Vector3d(v[0], v[1], v[2]); };
-  const sensors::Rig& rig = preset_rig(request.sensor, "--sensor");
+  const sensors::Rig& rig = preset_rig(request.sensor, request_name("sensor"));
   const SceneFile file = read_scene_file(resolve_named_file(request.scene, "SCENE"));
   SceneDefinition definition;
   definition.path = request.scene;

@@ -7,6 +7,7 @@
 
 #include "laboratory/stability/common/groups.h"
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline::stability {
 namespace {
@@ -42,8 +43,8 @@ StabilityCases chosen_cases(const std::string& only) {
   for (const StabilityCase& one : stability_catalogue())
     if (only.empty() || one.name == only || one.group == only) chosen.push_back(one);
   if (chosen.empty())
-    throw input_error({.field = "--only",
-                       .wanted = "the name or the group of a case (see --list)",
+    throw input_error({.field = request_name("only"),
+                       .wanted = "the name or the group of a case (see " + request_name("list") + ")",
                        .found = "\"" + only + "\""});
   return chosen;
 }

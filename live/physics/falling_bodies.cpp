@@ -7,6 +7,7 @@
 #include "physics/settle.h"
 #include "support/running/interrupt.h"
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline::live {
 
@@ -29,7 +30,8 @@ std::vector<FallingBody> falling_bodies(const std::vector<renderer::PlacedModel>
     for (const auto& mesh : placed.meshes)
       for (const Eigen::Vector3f& place_m : mesh->positions_m)
         vertices_m.emplace_back(body.world_from_placed.linear().transpose() * place_m.cast<double>());
-    body.shape = renderer::coarser(renderer::body_shape_of(vertices_m, "--physics of " + model.file));
+    body.shape =
+        renderer::coarser(renderer::body_shape_of(vertices_m, request_name("physics") + " of " + model.file));
     bodies.push_back(std::move(body));
   }
   return bodies;
@@ -47,11 +49,11 @@ void FallingBodies::begin(const DepthPoints& points, const std::vector<float>& d
   (void)ground_.take(points, depth_m, world_from_colour);
   const renderer::Ground& ground = ground_.ground();
   if (ground.triangles.empty())
-    throw input_error({.field = "--physics",
+    throw input_error({.field = request_name("physics"),
                        .wanted = "a first frame with depth, on which things can fall",
                        .found = "no three neighbours that have one"});
   for (const FallingBody& body : bodies_) {
-    const std::string what = "--physics of " + body.name;
+    const std::string what = request_name("physics") + " of " + body.name;
     worlds_.emplace_back(ground, body.shape, start_of(body), settings_);
     renderer::require_free_start(worlds_.back(), ground, body.shape, what);
     if (!has_surface_below(ground, worlds_.back().body().middle_m))

@@ -10,6 +10,7 @@
 #include "support/running/interrupt.h"
 #include "support/running/progress.h"
 #include "support/text/limits.h"
+#include "support/text/request_name.h"
 
 namespace seamline::live {
 namespace {
@@ -34,7 +35,7 @@ std::size_t frames_to_load(const Recording& recording, const LoadedRecording& lo
   if (static_cast<std::int64_t>(wanted) > fit)
     throw input_error({.file = recording.folder.string(),
                        .wanted = fmt::format("at most {} frames of this size in memory", fit),
-                       .found = fmt::format("{}; --frames N takes the first N", wanted)});
+                       .found = fmt::format("{}; {} N takes the first N", wanted, request_name("frames"))});
   return wanted;
 }
 
@@ -61,7 +62,7 @@ LoadedRecording load_recording(const Recording& recording, const LoadOptions& op
                          .light = recording.light,
                          .has_light = recording.has_light,
                          .frames = {}};
-  loaded.view = view_camera(loaded.rig.colour, options.width_px, options.height_px, "--size");
+  loaded.view = view_camera(loaded.rig.colour, options.width_px, options.height_px, request_name("size"));
   const std::size_t count = frames_to_load(recording, loaded, options.most_frames);
   const std::string index = (recording.folder / recording_index).string();
   Progress progress("frames", static_cast<double>(count));

@@ -10,6 +10,7 @@
 #include "live/frame/moving_objects.h"
 #include "support/running/parallel.h"
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline::live {
 namespace {
@@ -36,7 +37,7 @@ Eigen::Vector3d middle_m(const LoadedRecording& recording) {
       found_m = *direction * static_cast<double>(depth.at(x, y));
     }
   if (!found_m)
-    throw input_error({.field = "--at",
+    throw input_error({.field = request_name("at"),
                        .wanted = "where the objects stand, because the first picture has no depth",
                        .found = "nothing"});
   return *found_m;
@@ -63,7 +64,7 @@ std::vector<renderer::PlacedModel> placed_models(const LoadedRecording& recordin
 
 LiveSession::LiveSession(const LiveRequest& request)
     : recording_(load_recording(read_recording(request.recording), request.load)) {
-  require_tracking(request.tracking, recording_, "--track");
+  require_tracking(request.tracking, recording_, request_name("track"));
   tracker_ = std::make_unique<Tracker>(recording_, request.tracking, request.marker_side_m,
                                        request.settings.threads);
   const Eigen::Isometry3d first = tracker_->track(0).world_from_colour;

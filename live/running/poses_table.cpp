@@ -13,7 +13,7 @@ CsvTable PosesTable::empty_table() {
                       {"simulated_s", "s", "for which things have been falling"},
                       {"object", "", "number of the object as it was asked for, from 0"},
                       {"file", "", "of the object"},
-                      {"x_m", "m", "where the point is now that --at (or position_m) says; world with +Y up"},
+                      {"x_m", "m", "where the point is now that position_m set; world with +Y up"},
                       {"y_m", "m", "likewise, upwards"},
                       {"z_m", "m", "likewise"},
                       {"pitch_deg", "degrees", "rotation about X, as rotation_deg of a study"},

@@ -2,6 +2,7 @@
 #include "live/tracking/optical_flow.h"
 
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 #ifdef SEAMLINE_HAS_TRACKING
 #include <opencv2/calib3d.hpp>
@@ -132,7 +133,7 @@ bool has_optical_flow() {
 }
 
 void require_optical_flow() {
-  throw input_error({.field = "--track features",
+  throw input_error({.field = request_name("track") + " features",
                      .wanted = "a Seamline that was built with OpenCV's parts imgproc, video and calib3d "
                                "(Debian: libopencv-video-dev, libopencv-calib3d-dev)",
                      .found = "one without"});

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "support/arithmetic/bilinear.h"
 #include "support/text/error.h"
 #include "support/text/limits.h"
 
@@ -86,15 +87,9 @@ Eigen::Vector3d EnvironmentMap::direction_of(double column, double row) const {
 
 Rgb EnvironmentMap::radiance(const Eigen::Vector3f& direction) const {
   const Eigen::Array2f at = place(direction) - 0.5F;
-  const Eigen::Array2f corner = at.floor();
-  const Eigen::Array2f share = at - corner;
-  const int left = (static_cast<int>(corner[0]) + map_.width_px) % map_.width_px;
-  const int right = (left + 1) % map_.width_px;
-  const int top = std::clamp(static_cast<int>(corner[1]), 0, map_.height_px - 1);
-  const int bottom = std::clamp(static_cast<int>(corner[1]) + 1, 0, map_.height_px - 1);
-  const Rgb above = (1 - share[0]) * map_.rgb(left, top) + share[0] * map_.rgb(right, top);
-  const Rgb below = (1 - share[0]) * map_.rgb(left, bottom) + share[0] * map_.rgb(right, bottom);
-  return (1 - share[1]) * above + share[1] * below;
+  return bilinear(between_cells(at[0], at[1]), [&](int column, int row) {
+    return map_.rgb((column + map_.width_px) % map_.width_px, std::clamp(row, 0, map_.height_px - 1));
+  });
 }
 
 float EnvironmentMap::density_of_texel(int column, int row) const {

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "support/arithmetic/bilinear.h"
 #include "support/files/word_image.h"
 #include "support/text/error.h"
 
@@ -43,15 +44,12 @@ Image first_channel(const std::filesystem::path& path) {
 }
 
 /// Between the centres of an image's pixels, borders repeated; `place` is 0 to 1 across and down.
-float bilinear(const Image& image, const Eigen::Array2f& place) {
+float mask_value(const Image& image, const Eigen::Array2f& place) {
   const Eigen::Array2f size(static_cast<float>(image.width_px), static_cast<float>(image.height_px));
-  const Eigen::Array2f at = place * size - 0.5F, corner = at.floor(), part = at - corner;
-  const auto value = [&](int dx, int dy) {
-    return image.at(std::clamp(static_cast<int>(corner[0]) + dx, 0, image.width_px - 1),
-                    std::clamp(static_cast<int>(corner[1]) + dy, 0, image.height_px - 1));
-  };
-  const auto along = [&](int dy) { return (1 - part[0]) * value(0, dy) + part[0] * value(1, dy); };
-  return (1 - part[1]) * along(0) + part[1] * along(1);
+  const Eigen::Array2f at = place * size - 0.5F;
+  return bilinear(between_cells(at[0], at[1]), [&](int column, int row) {
+    return image.at(std::clamp(column, 0, image.width_px - 1), std::clamp(row, 0, image.height_px - 1));
+  });
 }
 
 }  // namespace
@@ -66,7 +64,7 @@ DirectionMask even_mask(int width_px, float value) {
 
 float mask_at(const Mask& mask, const MaskPlace& place) {
   if (const auto* by_direction = std::get_if<DirectionMask>(&mask)) return by_direction->at(place.direction);
-  return bilinear(std::get<PhotographMask>(mask).values, place.in_photograph);
+  return mask_value(std::get<PhotographMask>(mask).values, place.in_photograph);
 }
 
 Mask read_mask(const std::filesystem::path& path, int photograph_width_px, int photograph_height_px,

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "support/arithmetic/bilinear.h"
 #include "support/arithmetic/colour.h"
 
 namespace seamline::renderer {
@@ -73,15 +74,9 @@ Eigen::Array4f look_up(const Texture& texture, const Eigen::Vector2f& uv) {
   if (texture.nearest)
     return texel(texture, column(static_cast<std::int64_t>(std::floor(x))),
                  row(static_cast<std::int64_t>(std::floor(y))));
-  const float left = std::floor(x - 0.5F), top = std::floor(y - 0.5F);
-  const float right_part = x - 0.5F - left, lower_part = y - 0.5F - top;
-  const auto x0 = static_cast<std::int64_t>(left), y0 = static_cast<std::int64_t>(top);
-  const int x_left = column(x0), x_right = column(x0 + 1), y_top = row(y0), y_low = row(y0 + 1);
-  const Eigen::Array4f upper =
-      (1.0F - right_part) * texel(texture, x_left, y_top) + right_part * texel(texture, x_right, y_top);
-  const Eigen::Array4f lower =
-      (1.0F - right_part) * texel(texture, x_left, y_low) + right_part * texel(texture, x_right, y_low);
-  return (1.0F - lower_part) * upper + lower_part * lower;
+  return bilinear(between_cells<std::int64_t>(x - 0.5F, y - 0.5F), [&](std::int64_t left, std::int64_t top) {
+    return texel(texture, column(left), row(top));
+  });
 }
 
 Eigen::Matrix<float, 2, 3> texture_transform(const Eigen::Vector2f& offset, float rotation_rad,

@@ -12,6 +12,7 @@
 #include "support/text/limits.h"
 #include "support/text/number_option.h"
 #include "support/text/printable.h"
+#include "support/text/request_name.h"
 
 namespace seamline::registration {
 namespace {
@@ -178,9 +179,9 @@ std::optional<StatedCamera> middlebury_camera(const std::string& text, const std
     if (key == "height" && numbers->size() == 1)
       stated.height_px = static_cast<int>(std::clamp((*numbers)[0], 0.0, 1e6));
   }
-  stated.notes.emplace_back(
-      "Middlebury's left camera; of its disparities, --depth-value inverse with --depth-scale "
-      "1000 / (baseline f) and --depth-shift 1000 doffs / (baseline f)");
+  stated.notes.emplace_back("Middlebury's left camera; of its disparities, " + request_name("depth_value") +
+                            " inverse with " + request_name("depth_scale") + " 1000 / (baseline f) and " +
+                            request_name("depth_shift") + " 1000 doffs / (baseline f)");
   return stated;
 }
 

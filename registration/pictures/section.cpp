@@ -8,6 +8,7 @@
 #include "registration/mesh/depth_grid.h"
 #include "support/files/gnuplot.h"
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline::registration {
 namespace {
@@ -64,7 +65,7 @@ Section section_of(const sensors::DepthFrame& measured, const Eigen::Isometry3d&
                    const sensors::PinholeCamera& colour, const MeshRegistration& mesh,
                    const RegisteredFrame& registered, int row) {
   if (row < 0 || row >= colour.height_px)
-    throw input_error({.field = "--section",
+    throw input_error({.field = request_name("section"),
                        .wanted = fmt::format("a row of the photograph, 0 to {}", colour.height_px - 1),
                        .found = std::to_string(row)});
   Section section;

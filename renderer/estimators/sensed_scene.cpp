@@ -5,13 +5,15 @@
 #include "renderer/depth/sensor/sensor_view.h"
 #include "sensors/rig/presets.h"
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline::renderer {
 
 SensedScene sensed_scene(const SceneFile& file, const SceneDefinition& definition, const sensors::Rig& rig) {
   if (!definition.camera && !file.camera)
     throw input_error({.file = file.file,
-                       .wanted = "a camera in the scene, or --at X Y Z and --look-at X Y Z",
+                       .wanted = "a camera in the scene, or " + request_name("at") + " X Y Z and " +
+                                 request_name("look_at") + " X Y Z",
                        .found = "neither"});
   Eigen::Vector3d centre_m;
   const Camera axes = scene_camera(definition, file, rig.colour.width_px, rig.colour.height_px, centre_m);

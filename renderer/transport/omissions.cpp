@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline::renderer {
 
@@ -15,7 +16,8 @@ Omissions omissions_without(const std::vector<std::string>& names) {
       std::string known;
       for (const OmissionName& one : omission_names)
         known += (known.empty() ? "" : ", ") + std::string(one.name);
-      throw input_error({.field = "--no-omit", .wanted = "one of " + known, .found = "\"" + name + "\""});
+      throw input_error(
+          {.field = request_name("no_omit"), .wanted = "one of " + known, .found = "\"" + name + "\""});
     }
     omissions.*(found->on) = false;
   }

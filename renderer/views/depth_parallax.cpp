@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "raytracer/common/parallel.h"
+#include "support/arithmetic/bilinear.h"
 
 namespace seamline::renderer {
 namespace {
@@ -28,10 +29,7 @@ class AxisPanorama {
         (std::atan2(right, ahead) / (2 * pi) + 0.5F) * static_cast<float>(all_.width_px) - 0.5F;
     const float row =
         (0.5F - std::atan2(direction.y(), std::hypot(ahead, right)) / pi) * static_cast<float>(rows_) - 0.5F;
-    const float left = std::floor(column), top = std::floor(row), s = column - left, t = row - top;
-    const int x = static_cast<int>(left), y = static_cast<int>(top);
-    return (1 - t) * ((1 - s) * pixel(x, y) + s * pixel(x + 1, y)) +
-           t * ((1 - s) * pixel(x, y + 1) + s * pixel(x + 1, y + 1));
+    return bilinear(between_cells(column, row), [&](int x, int y) { return pixel(x, y); });
   }
 
  private:

@@ -7,6 +7,7 @@
 
 #include "support/text/error.h"
 #include "support/text/printable.h"
+#include "support/text/request_name.h"
 
 namespace seamline::sensors {
 namespace {
@@ -57,9 +58,10 @@ void require_metres(const RawDepth& raw, const fs::path& path, const StatedDepth
     has_one = has_one || value == 1.0F;
   }
   if (has_zero && has_one)
-    throw complaint(path, "--depth-value",
+    throw complaint(path, request_name("depth_value"),
                     "distances in metres, or what an estimate's values are (inverse or relative, with scale "
-                    "and shift; --metres-per-step 1 if these are metres)",
+                    "and shift; " +
+                        request_name("metres_per_step") + " 1 if these are metres)",
                     "values that fill 0 to 1, as of an estimate");
 }
 
@@ -76,7 +78,7 @@ double median_m(const DepthFrame& frame) {
 void require_usual(const fs::path& path, const StatedDepth& form, double median) {
   if (form.unusual_distances || (median >= nearest_usual_m && median <= farthest_usual_m)) return;
   if (form.estimate)
-    throw complaint(path, "--depth-scale",
+    throw complaint(path, request_name("depth_scale"),
                     fmt::format("a median depth from {:g} to {:g} m", nearest_usual_m, farthest_usual_m),
                     fmt::format("{:g} m by the scale and shift of the estimate", median));
   const double scale = form.metres_per_step.value_or(1);
@@ -100,7 +102,7 @@ std::vector<KnownValue> known_by_reference(const RawDepth& raw, const StatedDept
   const DepthEstimate& estimate = *form.estimate;
   const RawDepth measured = read_raw_depth(estimate.reference, {});
   if (std::int64_t{measured.width_px} * raw.height_px != std::int64_t{measured.height_px} * raw.width_px)
-    throw complaint(estimate.reference, "--depth-reference", "a map of the estimate's shape",
+    throw complaint(estimate.reference, request_name("depth_reference"), "a map of the estimate's shape",
                     fmt::format("{} x {} beside {} x {}", measured.width_px, measured.height_px, raw.width_px,
                                 raw.height_px));
   StatedDepth own;
@@ -128,7 +130,7 @@ std::vector<KnownValue> known_by_points(const RawDepth& raw, const fs::path& pat
   std::vector<KnownValue> known;
   for (const KnownPoint& point : form.estimate->points) {
     const auto found = [&](const std::string& what) {
-      return complaint(path, "--depth-point", "a place of the picture that has a value",
+      return complaint(path, request_name("depth_point"), "a place of the picture that has a value",
                        fmt::format("{:g},{:g}, {}", point.x_px, point.y_px, what));
     };
     if (!(point.x_px >= 0 && point.x_px < raw.width_px && point.y_px >= 0 && point.y_px < raw.height_px))
@@ -146,18 +148,24 @@ DepthLine line_of(const RawDepth& raw, const fs::path& path, const StatedDepth& 
   const DepthEstimate& estimate = *form.estimate;
   if (estimate.stated) return *estimate.stated;
   if (!estimate.reference.empty()) {
-    const DepthFit fit = fit_depth(estimate.value, known_by_reference(raw, form), "--depth-reference");
+    const DepthFit fit =
+        fit_depth(estimate.value, known_by_reference(raw, form), request_name("depth_reference"));
     read.notes.push_back(fit_text(
         estimate.value, fit,
         fmt::format("least squares on {} pixels of {}", fit.used, printable(estimate.reference.string()))));
     return fit.line;
   }
   if (estimate.points.empty())
-    throw complaint(path, "--depth-value",
-                    "an estimate's scale: --depth-scale and --depth-shift, points whose distance is known "
-                    "(--depth-point X,Y,METRES, two or more), or a measured map (--depth-reference)",
+    throw complaint(path, request_name("depth_value"),
+                    "an estimate's scale: " + request_name("depth_scale") + " and " +
+                        request_name("depth_shift") +
+                        ", points whose distance is known "
+                        "(" +
+                        request_name("depth_point") + " X,Y,METRES, two or more), or a measured map (" +
+                        request_name("depth_reference") + ")",
                     "none, without which it is no distance");
-  const DepthFit fit = fit_depth(estimate.value, known_by_points(raw, path, form), "--depth-point");
+  const DepthFit fit =
+      fit_depth(estimate.value, known_by_points(raw, path, form), request_name("depth_point"));
   read.notes.push_back(fit_text(estimate.value, fit,
                                 fit.used == 1 ? std::string("from one point, with a shift of 0")
                                               : fmt::format("from {} points", fit.used)));
@@ -210,7 +218,8 @@ void note_stretched(const RawDepth& raw, const StatedDepth& form, DepthFromValue
   if (read.why.coded * few < std::ssize(raw.values))
     read.notes.emplace_back(
         "its values reach from 0 to 65535, as those of an estimate do: then they are no distances "
-        "(--depth-value inverse or relative)");
+        "(" +
+        request_name("depth_value") + " inverse or relative)");
 }
 
 }  // namespace

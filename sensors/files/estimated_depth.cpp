@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline::sensors {
 namespace {
@@ -57,8 +58,9 @@ DepthFit fit_depth(DepthValue kind, std::span<const KnownValue> known, const std
                                      ? "larger values where it is nearer, as inverse depth has"
                                      : "larger values where it is farther, as relative depth has",
                        .found = fmt::format("a scale of {:g}{}", fit.line.scale,
-                                            kind == DepthValue::inverse ? " (--depth-value relative?)"
-                                                                        : " (--depth-value inverse?)")});
+                                            kind == DepthValue::inverse
+                                                ? " (" + request_name("depth_value") + " relative?)"
+                                                : " (" + request_name("depth_value") + " inverse?)")});
   const auto count = static_cast<double>(fit.used);
   for (const KnownValue& one : known) {
     const double depth_m = metres_of_value(kind, fit.line, one.value), error_m = depth_m - one.depth_m;

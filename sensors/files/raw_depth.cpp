@@ -12,6 +12,7 @@
 #include "support/files/picture_file.h"
 #include "support/files/word_image.h"
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline::sensors {
 namespace {
@@ -139,7 +140,7 @@ RawDepth read_raw_depth(const fs::path& path, const RawDepthForm& form, const Ac
                                                                         : "another kind of file"});
   if (!form.channel.empty() && (is_pgm || kind != ArrayKind::none))
     throw input_error({.file = path.string(),
-                       .field = "--depth-channel",
+                       .field = request_name("depth_channel"),
                        .wanted = "a file whose channels have names",
                        .found = "an array without channels"});
   if (is_pgm) return raw_pgm(path, form, accept);

@@ -15,6 +15,7 @@
 #include "support/files/assets.h"
 #include "support/files/atomic_file.h"
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 #include "support/text/text_bounds.h"
 
 namespace seamline::renderer {
@@ -158,7 +159,7 @@ RenderJob plan_job(const StudyDefinition& study, const RenderRequest& request, c
     elements = std::clamp(static_cast<int>(std::ceil(all_s / usual_element_s)), least, most_elements);
   elements = std::min(elements, groups);
   if (elements < least)
-    throw input_error({.field = "--elements",
+    throw input_error({.field = request_name("elements"),
                        .wanted = fmt::format("at least {}, one for each truth of the study", least),
                        .found = fmt::format("{}", elements)});
   // The shortest longest element: between the longest group alone and everything.
@@ -244,7 +245,7 @@ void take_element(const RenderJob& job, const fs::path& folder, const std::strin
     request.ids = {job.elements[i - 1].ids.begin(), job.elements[i - 1].ids.end()};
     return;
   }
-  throw input_error({.field = "--element",
+  throw input_error({.field = request_name("element"),
                      .wanted = fmt::format("truth-1 to truth-{}, stimuli-1 to stimuli-{}, or join",
                                            job.truths.size(), job.elements.size()),
                      .found = "\"" + element + "\""});

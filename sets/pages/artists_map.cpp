@@ -15,6 +15,7 @@
 #include "support/running/parallel.h"
 #include "support/running/progress.h"
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline::renderer {
 namespace {
@@ -233,7 +234,7 @@ std::vector<std::filesystem::path> write_artists_maps(const std::filesystem::pat
   const std::string file = (set_folder / "manifest.json").string();
   if (level_quantity(manifest) != Quantity::depth_width_px)
     throw input_error({.file = file,
-                       .field = "--artists",
+                       .field = request_name("artists"),
                        .wanted = "a set whose levels are widths of depth maps",
                        .found = std::string(facts(level_quantity(manifest)).key)});
   check_manifest_shapes(set_folder, manifest);
@@ -250,7 +251,7 @@ std::vector<std::filesystem::path> write_artists_maps(const std::filesystem::pat
   if (widths.empty() || *widths.begin() > rule.coarse_px || *widths.rbegin() < rule.fine_px)
     throw input_error(
         {.file = file,
-         .field = "--artists",
+         .field = request_name("artists"),
          .wanted = fmt::format("depth maps from {} px or less to {} px or more, without mitigation",
                                rule.coarse_px, rule.fine_px),
          .found = widths.empty() ? std::string("none")

@@ -21,6 +21,7 @@
 #include "support/running/parallel.h"
 #include "support/running/progress.h"
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline::renderer {
 namespace {
@@ -163,7 +164,7 @@ int write_photographs(const StudyDefinition& study, const PhotographsRequest& re
       }
   if (wanted.empty())
     throw input_error({.file = study.file.string(),
-                       .field = "--only",
+                       .field = request_name("only"),
                        .wanted = "a pattern that matches a photograph's name, SCENE-OBJECT",
                        .found = "\"" + request.only + "\""});
   prepare_output_folder(request.folder);

@@ -1,4 +1,5 @@
 #include "stimuli/pictures/panorama_view.h"
+#include "support/arithmetic/bilinear.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -22,10 +23,7 @@ class PanoramaCodes {
         (0.5 - std::atan2(direction.y(), std::hypot(direction.x(), direction.z())) / half_turn_rad) *
             panorama_.height_px -
         0.5;
-    const double left = std::floor(u), top = std::floor(v), s = u - left, t = v - top;
-    const int x = static_cast<int>(left), y = static_cast<int>(top);
-    return (1 - t) * ((1 - s) * code(x, y, channel) + s * code(x + 1, y, channel)) +
-           t * ((1 - s) * code(x, y + 1, channel) + s * code(x + 1, y + 1, channel));
+    return bilinear(between_cells(u, v), [&](int x, int y) { return code(x, y, channel); });
   }
 
  private:

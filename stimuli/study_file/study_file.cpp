@@ -28,6 +28,7 @@
 #include "support/files/assets.h"
 #include "support/text/error.h"
 #include "support/text/limits.h"
+#include "support/text/request_name.h"
 
 namespace seamline::inline stimuli {
 namespace {
@@ -241,8 +242,9 @@ StudyDefinition read_study(const std::filesystem::path& path, AssetCheck assets,
                            const std::filesystem::path& asset_root) {
   std::error_code error;
   if (!asset_root.empty() && !std::filesystem::is_directory(asset_root, error))
-    throw input_error(
-        {.field = "--asset-root", .wanted = "a folder", .found = "no folder at " + asset_root.string()});
+    throw input_error({.field = request_name("asset_root"),
+                       .wanted = "a folder",
+                       .found = "no folder at " + asset_root.string()});
   return read_study_table(TomlTable::read(path), {.study_file = path, .asset_root = asset_root}, assets);
 }
 

@@ -7,6 +7,7 @@
 #include "study/trials/trial_picture.h"
 #include "support/files/confined_path.h"
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 #include "window/type/find_font.h"
 
 namespace seamline::study::app {
@@ -90,18 +91,20 @@ void Application::check_screen() {
   if (fits(stage_.screen_px, picture_px, ui_.em())) {
     stage_.pixel_check = check_pixels(window_, canvas_, picture_px, ui_.em(), corner_px);
     if (stage_.pixel_check.different == 0 || (request_.allow_scaling && !corner_px)) return;
-    throw input_error({.field = "display",
-                       .wanted = "a screen that shows the pictures' exact bytes (or --allow-scaling)",
-                       .found = fmt::format("{} of {} bytes changed", stage_.pixel_check.different,
-                                            stage_.pixel_check.bytes)});
+    throw input_error(
+        {.field = "display",
+         .wanted = "a screen that shows the pictures' exact bytes (or " + request_name("allow_scaling") + ")",
+         .found =
+             fmt::format("{} of {} bytes changed", stage_.pixel_check.different, stage_.pixel_check.bytes)});
   }
   if (request_.allow_scaling && !corner_px) return;
   throw input_error(
       {.field = "display",
        .wanted =
            fmt::format("at least {:.0f} x {:.0f} pixels for pictures of {:.0f} x {:.0f} with the questions "
-                       "below them (or --allow-scaling, which shrinks the pictures and logs it)",
-                       needed_px.width_px, needed_px.height_px, picture_px.width_px, picture_px.height_px),
+                       "below them (or {}, which shrinks the pictures and logs it)",
+                       needed_px.width_px, needed_px.height_px, picture_px.width_px, picture_px.height_px,
+                       request_name("allow_scaling")),
        .found = fmt::format("{:.0f} x {:.0f}", stage_.screen_px.width_px, stage_.screen_px.height_px)});
 }
 

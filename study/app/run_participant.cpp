@@ -4,6 +4,7 @@
 #include "stimuli/study_file/people/study_file_language.h"
 #include "study/app/application.h"
 #include "study/trials/study_languages.h"
+#include "support/text/request_name.h"
 
 namespace seamline::study::app {
 
@@ -13,7 +14,7 @@ void run_participant_in_window(const ParticipantRequest& request) {
   const std::vector<FormField> own_form = set.study.form;
   if (const auto texts = read_study_texts(
           set.study, request.language.empty() ? set.study.session.language : request.language,
-          "--language")) {
+          request_name("language"))) {
     check_whole(set.study, *texts);
     set.study = in_language(set.study, *texts);
   }

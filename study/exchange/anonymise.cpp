@@ -13,6 +13,7 @@
 #include "support/arithmetic/random.h"
 #include "support/files/hash.h"
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline::study {
 namespace {
@@ -183,10 +184,10 @@ Anonymity leave_out_rare_states(LogContents& log, int k) {
   if (log.participants.empty() && people > 0)
     throw input_error(
         {.file = log.file.string(),
-         .field = "--anonymise",
-         .wanted = fmt::format("at least {} people (--k) who are alike in being finished, excluded "
+         .field = request_name("anonymise"),
+         .wanted = fmt::format("at least {} people ({}) who are alike in being finished, excluded "
                                "or on a trial run",
-                               k),
+                               k, request_name("k")),
          .found = fmt::format("{} in all", people)});
   for (const ParticipantRecord* person : people_of(log)) ++in_state_by_origin[state_of(*person, true)];
   anonymity.keeps_origin = people_of(log).empty() || smallest(in_state_by_origin) >= k;
@@ -252,8 +253,9 @@ void give_new_codes(LogContents& log) {
 
 AnonymisedLog anonymise(LogContents log, int k) {
   if (k < 2)
-    throw input_error(
-        {.field = "--k", .wanted = "a group of at least 2 people", .found = fmt::format("{}", k)});
+    throw input_error({.field = request_name("k"),
+                       .wanted = "a group of at least 2 people",
+                       .found = fmt::format("{}", k)});
   AnonymisedLog out{.anonymity = leave_out_rare_states(log, k)};
   out.anonymity.late_clips = late_clips(log);
   give_new_codes(log);

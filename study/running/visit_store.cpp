@@ -3,6 +3,7 @@
 #include "stimuli/definition/people/language_definition.h"
 #include "support/running/overloaded.h"
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline::study {
 namespace fs = std::filesystem;
@@ -18,7 +19,8 @@ void check_consent_text(const RenderedSet& set, const Visitor& visitor) {
   if (visitor.pilot || !is_default_consent(set.study.consent)) return;
   throw input_error({.file = (set.folder / set.manifest.study_file).string(),
                      .field = "consent.text",
-                     .wanted = "your own consent text (for a trial run with the shipped one use --pilot)",
+                     .wanted = "your own consent text (for a trial run with the shipped one use " +
+                               request_name("pilot") + ")",
                      .found = set.study.consent.text.substr(0, 8) == "TEMPLATE" ? "the shipped template"
                                                                                 : "the shipped text"});
 }

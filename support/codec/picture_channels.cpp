@@ -8,6 +8,7 @@
 
 #include "support/text/error.h"
 #include "support/text/printable.h"
+#include "support/text/request_name.h"
 
 namespace seamline {
 namespace {
@@ -133,7 +134,7 @@ ChosenChannels colour_channels(const std::vector<NamedChannel>& channels, const 
     for (const ColourLayer& found : layers)
       if (found.name == layer) return found.channels;
     throw input_error({.file = file,
-                       .field = "--layer",
+                       .field = request_name("layer"),
                        .wanted = layers.empty() ? "a layer with the channels R, G and B"
                                                 : "one of the layers " + layers_text(layers),
                        .found = layers.empty() ? all_names_text(channels) : printable(layer)});
@@ -158,14 +159,14 @@ ChosenChannels colour_channels(const std::vector<NamedChannel>& channels, const 
   if (!chosen && !one_part) chosen = layers.data();
   if (!chosen)
     throw input_error({.file = file,
-                       .field = "--layer",
+                       .field = request_name("layer"),
                        .wanted = "which of its layers is the picture",
                        .found = "the layers " + layers_text(layers)});
   ChosenChannels out = chosen->channels;
   if (layers.size() > 1)
-    out.notes.push_back(fmt::format("of its layers {} the picture is {} (--layer names another)",
-                                    layers_text(layers),
-                                    chosen->name.empty() ? "the unnamed one" : printable(chosen->name)));
+    out.notes.push_back(fmt::format(
+        "of its layers {} the picture is {} ({} names another)", layers_text(layers),
+        chosen->name.empty() ? "the unnamed one" : printable(chosen->name), request_name("layer")));
   else if (!chosen->name.empty())
     out.notes.push_back(fmt::format("its picture is the layer {}", printable(chosen->name)));
   return out;
@@ -183,7 +184,7 @@ ChosenChannels depth_channel(const std::vector<NamedChannel>& channels, const st
     for (const NamedChannel& channel : channels)
       if (channel.full() == named) return one(channel);
     throw input_error({.file = file,
-                       .field = "--depth-channel",
+                       .field = request_name("depth_channel"),
                        .wanted = "one of its channels",
                        .found = fmt::format("{} beside {}", printable(named), all_names_text(channels))});
   }
@@ -202,7 +203,7 @@ ChosenChannels depth_channel(const std::vector<NamedChannel>& channels, const st
   const std::vector<ColourLayer> layers = colour_layers(channels);
   if (!best && layers.size() == 1) return layers.front().channels;
   throw input_error({.file = file,
-                     .field = "--depth-channel",
+                     .field = request_name("depth_channel"),
                      .wanted = "the name of its channel of depth",
                      .found = all_names_text(channels)});
 }

@@ -6,6 +6,7 @@
 
 #include "support/files/confined_path.h"
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 #include "support/text/suggest.h"
 
 namespace seamline {
@@ -109,7 +110,8 @@ fs::path resolve_asset(const std::string& name, const AssetFolders& folders, con
   if (!folders.asset_root.empty() && lies_below(path, folders.asset_root)) return path;
   throw input_error({.file = study_file,
                      .field = field,
-                     .wanted = "a file in the study file's folder or below it (or give --asset-root DIR)",
+                     .wanted = "a file in the study file's folder or below it (or give " +
+                               request_name("asset_root") + " DIR)",
                      .found = "\"" + name + "\", which lies elsewhere"});
 }
 

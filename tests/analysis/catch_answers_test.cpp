@@ -123,7 +123,7 @@ TEST_F(CatchAnswersTest, ALogOfPilotsAloneNeedsTheFlag) {
     (void)analyzed(folder / "log");
     FAIL() << "pilot data were used";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("--include-pilot"));
+    EXPECT_THAT(error.what(), HasSubstr("include_pilot"));
   }
   EXPECT_EQ(analyzed(folder / "log", true).counts.used, 1);
 }

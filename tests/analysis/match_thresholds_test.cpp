@@ -103,7 +103,7 @@ TEST(MatchThresholds, TheReportSaysWhatTheTablesSay) {
                 (void)analyze_log(
                     {.log = folder / "log", .report_folder = folder / "other", .exclude_screened = true});
               }),
-              HasSubstr("--exclude-screened"));
+              HasSubstr("exclude_screened"));
   EXPECT_FALSE(std::filesystem::exists(folder / "other"));
 }
 

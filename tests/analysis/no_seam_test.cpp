@@ -63,7 +63,7 @@ TEST(NoSeam, IsShownWhereNobodySeesOneAndNotWhereTheyDo) {
 TEST(NoSeam, RefusesLevelsThatNobodyWasShown) {
   const Analysis analysis = analysis_of_widths("");
   EXPECT_THAT(test::complaint_of([&] { (void)no_seam_sentences(analysis, 100, 0.3); }),
-              HasSubstr("--no-seam-at"));
+              HasSubstr("no_seam_at"));
 }
 
 }  // namespace

@@ -144,8 +144,7 @@ TEST_F(GatheringTest, AnotherStudyOrALineThatIsNoMessageStoresNothing) {
   EXPECT_FALSE(fs::exists(path));
   EXPECT_THAT(complaint_of([&] { (void)import_messages(set, path, {file("empty.txt", "\n\n")}); }),
               HasSubstr("wanted lines of messages"));
-  EXPECT_THAT(complaint_of([&] { (void)set_for_log(path, {}); }),
-              HasSubstr("--set: wanted the rendered set"));
+  EXPECT_THAT(complaint_of([&] { (void)set_for_log(path, {}); }), HasSubstr("set: wanted the rendered set"));
   // A line that ends in the middle is where the browser or the network stopped.
   const ImportReport cut = import_messages(set, path, {file("cut.txt", good.substr(0, good.size() - 20))});
   EXPECT_EQ(cut.cut_files.size(), 1U);

@@ -189,7 +189,7 @@ TEST_F(ResultFilesTest, WhatIsForeignEndsTheImportOrIsLeftOutByName) {
       const bool cut = at_the_end && text.starts_with("{\"trials\"");
       if (!cut) {
         const std::string said = complaint_of([&] { (void)import(results); });
-        EXPECT_THAT(said, testing::AllOf(HasSubstr(place + ":"), HasSubstr("--skip-foreign")));
+        EXPECT_THAT(said, testing::AllOf(HasSubstr(place + ":"), HasSubstr("skip_foreign")));
         EXPECT_FALSE(fs::exists(folder / fmt::format("{}.sqlite", logs)));
       }
       const ImportReport report = import(results, Foreign::left_out);

@@ -196,7 +196,7 @@ TEST_F(ServeTest, WhatDoesNotBelongTogetherIsNotServed) {
   };
   ServeRequest wrong = request;
   wrong.set.clear();
-  EXPECT_THAT(said(wrong), HasSubstr("--set: wanted the rendered set"));
+  EXPECT_THAT(said(wrong), HasSubstr("set: wanted the rendered set"));
   (void)write_set_of_text(folder / "other", online_study_text("64, 1024"));
   wrong.set = folder / "other";
   EXPECT_THAT(said(wrong), HasSubstr("study_hash"));
@@ -205,7 +205,7 @@ TEST_F(ServeTest, WhatDoesNotBelongTogetherIsNotServed) {
   EXPECT_THAT(said(wrong), HasSubstr("wanted a folder that seamline export web wrote"));
   wrong = request;
   wrong.address = "everywhere";
-  EXPECT_THAT(said(wrong), HasSubstr("--listen"));
+  EXPECT_THAT(said(wrong), HasSubstr("listen"));
   ServerProcess first(request);
   ASSERT_NE(first.port(), 0);
   wrong = request;

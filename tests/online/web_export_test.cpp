@@ -259,9 +259,8 @@ TEST_F(WebExport, APageIsOfItsHostAndSaysSo) {
   EXPECT_EQ(bytes_of("jatos").size(), bytes_of("static").size() + 1);  // JATOS's end page
   // Nothing but `seamline serve` gives answers to a log: it takes no other page.
   EXPECT_EQ(read_site_files(folder / "serve").slots, 5);
-  EXPECT_THAT(
-      test::complaint_of([&] { (void)read_site_files(folder / "static"); }),
-      HasSubstr("study.json: host: wanted \"serve\" (export the page with --serve), found \"static\""));
+  EXPECT_THAT(test::complaint_of([&] { (void)read_site_files(folder / "static"); }),
+              HasSubstr("study.json: host: wanted \"serve\" (export the page with serve), found \"static\""));
   EXPECT_THAT(test::complaint_of([&] { (void)read_site_files(folder / "jatos"); }),
               HasSubstr("found \"jatos\""));
 }
@@ -350,7 +349,7 @@ TEST_F(WebExport, WhatCannotBeShownThereIsRefusedWithOneSentence) {
 
   fs::remove_all(folder / "set");
   make_set("orders = 3\n");
-  EXPECT_THAT(complaint_of_export({.slots = 4}), HasSubstr("--slots: wanted at most 3"));
+  EXPECT_THAT(complaint_of_export({.slots = 4}), HasSubstr("slots: wanted at most 3"));
   EXPECT_EQ(export_web({.set_folder = folder / "set", .out_folder = folder / "three"}).slots, 3);
 
   fs::remove_all(folder / "set");

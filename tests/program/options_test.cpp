@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iomanip>
 #include <regex>
@@ -13,7 +14,9 @@
 #include "commands/options/command_help.h"
 #include "commands/program.h"
 #include "run_program.h"
+#include "support/files/atomic_file.h"
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline {
 namespace {
@@ -24,6 +27,18 @@ using test::run_seamline;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
+
+constexpr std::array library_rooms = {
+    "support",  "sensors", "scenes",     "window", "physics", "registration", "stimuli", "raytracer",
+    "renderer", "sets",    "composites", "x3d",    "study",   "analysis",     "live",    "laboratory"};
+
+/// Files whose product is a command line: of a page that is remade, of a job, of a kit, of the objects' file.
+bool writes_command_lines(const std::string& path) {
+  return path.starts_with("laboratory/evidence/") || path == "sets/cluster/job_scripts.cpp" ||
+         path == "analysis/preregistration/replication_kit.cpp" || path == "composites/measured_places.cpp" ||
+         path == "composites/place/place_window.cpp" ||
+         path == "laboratory/stability/light/strong_light_cases.cpp";  // tries the reader of numbers
+}
 
 struct ListedOption {
   std::string command, name, kind;
@@ -165,22 +180,71 @@ TEST(Options, NumbersOnTheCommandLineAreReadInOnePlace) {
   const std::filesystem::path root = SEAMLINE_SOURCE_DIR;
   const std::regex other_ways(R"(\bsto[idlfu]|\bstrto|from_chars|sscanf|CLI::(Range|Bound|PositiveNumber))");
   int with_options = 0;
-  for (const char* room :
-       {"support", "sensors", "scenes", "window", "physics", "registration", "stimuli", "raytracer",
-        "renderer", "sets", "composites", "x3d", "study", "analysis", "live", "laboratory", "commands"})
+  std::vector<std::string> rooms(library_rooms.begin(), library_rooms.end());
+  rooms.emplace_back("commands");
+  for (const std::string& room : rooms)
     for (const auto& entry : std::filesystem::recursive_directory_iterator(root / room)) {
       const std::string path = std::filesystem::relative(entry.path(), root).generic_string();
       if (entry.path().extension() != ".cpp" || path == "support/text/number_option.cpp") continue;
       const std::string text = test::read_text(entry.path());
       if (text.find("CLI/CLI.hpp") == std::string::npos) continue;
       // Nothing but a command knows the command line. That case tries its reader of numbers.
-      EXPECT_TRUE(std::string(room) == "commands" ||
-                  path == "laboratory/stability/light/strong_light_cases.cpp")
-          << path;
+      EXPECT_TRUE(room == "commands" || path == "laboratory/stability/light/strong_light_cases.cpp") << path;
       ++with_options;
       EXPECT_FALSE(std::regex_search(text, other_ways)) << path;
     }
   EXPECT_GE(with_options, 10);
+}
+
+/// Words of a command line in string literals: "--depth-width".
+std::vector<std::string> options_in_texts(const std::string& source) {
+  const std::regex literal(R"("(?:[^"\\\n]|\\.)*")"), option(R"((^|[ "`]|[ "]\()--[a-z][a-z-]+)");
+  std::vector<std::string> found;
+  for (auto it = std::sregex_iterator(source.begin(), source.end(), literal); it != std::sregex_iterator();
+       ++it)
+    if (const std::string text = it->str(); std::regex_search(text, option)) found.push_back(text);
+  return found;
+}
+
+TEST(Options, LibrariesNameMembersOfRequestsThatAreOptions) {
+  bool failed = false;
+  const std::unique_ptr<CLI::App> app = program(failed);
+  std::set<std::string> options;
+  for (const auto& [name, command] : every_command(*app))
+    for (const CLI::Option* option : command->get_options())
+      for (const std::string& word : option->get_lnames()) options.insert(word);
+  const std::regex named(R"re(request_name\("([a-z0-9_]+)"\))re");
+  const std::filesystem::path root = SEAMLINE_SOURCE_DIR;
+  int names = 0;
+  for (const char* room : library_rooms)
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / room)) {
+      const std::string path = std::filesystem::relative(entry.path(), root).generic_string();
+      if (entry.path().extension() != ".cpp") continue;
+      const std::string source = test::read_text(entry.path());
+      for (auto it = std::sregex_iterator(source.begin(), source.end(), named); it != std::sregex_iterator();
+           ++it, ++names) {
+        std::string option = (*it)[1];
+        std::replace(option.begin(), option.end(), '_', '-');
+        EXPECT_TRUE(options.contains(option)) << path << " names " << option;
+      }
+      if (writes_command_lines(path)) continue;
+      for (const std::string& text : options_in_texts(source))
+        EXPECT_THAT(text, HasSubstr("seamline ")) << path;
+    }
+  EXPECT_GE(names, 150);
+}
+
+TEST(Options, AMessageCallsAMemberOfARequestAsItsReaderDoes) {
+  EXPECT_EQ(request_name("depth_width"), "depth_width");
+  {
+    const RequestSpelling shouted([](std::string_view member) { return "<" + std::string(member) + ">"; });
+    EXPECT_EQ(request_name("depth_width"), "<depth_width>");
+  }
+  EXPECT_EQ(request_name("depth_width"), "depth_width");
+  const std::filesystem::path counts = fresh_folder("request-names") / "counts.csv";
+  write_file_atomically(counts, "level,k,n\n1,1,2\n");
+  EXPECT_THAT(run_seamline("fit '" + counts.string() + "' --alternatives 3 --times dose").output,
+              HasSubstr("wanted a column 'dose' (--times)"));
 }
 
 TEST(Options, WhatIsNoOptionIsOneLineWithoutItsEscapes) {

@@ -96,7 +96,7 @@ TEST_F(MakeComposite, APanoramaOfAClosedRoomIsItsOwnLight) {
 TEST_F(MakeComposite, APanoramaIsNeverDrawnAsAPerspectiveViewUnlessItIsSaidToBeOne) {
   CompositeRequest request = panorama();
   request.look_at_m = Eigen::Vector3d(0, 0, -1);
-  EXPECT_THAT(said(request), AllOf(HasSubstr("--look-at"), HasSubstr("--view")));
+  EXPECT_THAT(said(request), AllOf(HasSubstr("look_at"), HasSubstr("view")));
   request.view_px = std::pair(48, 27);
   EXPECT_EQ(said(request), "no complaint");
   EXPECT_EQ(read_image(folder_ / "out.exr").width_px, 48);
@@ -126,12 +126,12 @@ TEST_F(MakeComposite, EqualRequestsGiveEqualBytesForAnyNumberOfThreads) {
 TEST_F(MakeComposite, LightThatCannotComeInOrIsNotThereIsRefused) {
   CompositeRequest request = panorama();
   request.light.given.environment_radiance = {1, 1, 1};
-  EXPECT_THAT(said(request), AllOf(HasSubstr("closed all round"), HasSubstr("--lamp")));
+  EXPECT_THAT(said(request), AllOf(HasSubstr("closed all round"), HasSubstr("lamp")));
   request = view();
   request.light.given.environment_radiance = {0, 0, 0};
-  EXPECT_THAT(said(request), AllOf(HasSubstr("--to-sun"), HasSubstr("--light-panorama")));
+  EXPECT_THAT(said(request), AllOf(HasSubstr("to_sun"), HasSubstr("light_panorama")));
   request.light.from_photograph = true;
-  EXPECT_THAT(said(request), HasSubstr("--light-from-photograph: wanted a panorama"));
+  EXPECT_THAT(said(request), HasSubstr("light_from_photograph: wanted a panorama"));
   request.light.from_photograph = false;
   Image elsewhere(64, 32, 3, 0.5F);
   for (std::size_t i = 0; i < elsewhere.values.size(); ++i) elsewhere.values[i] = i % 7 < 3 ? 0.1F : 3.0F;
@@ -157,7 +157,7 @@ TEST_F(MakeComposite, ARenderingThatWouldChangeNothingIsRefusedBeforeItBegins) {
   request.objects[0].position_m = {0, -1, 30};
   request.light.given.environment_radiance = {0, 0, 0};
   request.light.given.suns = {SunDefinition{Eigen::Vector3d(0, 1, 0), {1, 1, 1}, 0}};
-  EXPECT_THAT(said(request), AllOf(HasSubstr("outside of the picture"), HasSubstr("--look-at")));
+  EXPECT_THAT(said(request), AllOf(HasSubstr("outside of the picture"), HasSubstr("look_at")));
   request.objects[0].position_m = {0, -2.5, -6};
   EXPECT_THAT(said(request), HasSubstr("hidden"));
   request.objects[0].position_m = {0, -1, 30};
@@ -213,7 +213,7 @@ TEST_F(MakeComposite, DepthThatIsNoneOrOfAnotherShapeIsRefused) {
   EXPECT_THAT(said(request), AllOf(HasSubstr("64 x 64"), HasSubstr("40 x 30")));
   request.depth.file = in("open.exr");
   request.depth.convention = sensors::DepthConvention::planar;
-  EXPECT_THAT(said(request), HasSubstr("--depth-kind: wanted radial"));
+  EXPECT_THAT(said(request), HasSubstr("depth_kind: wanted radial"));
 }
 
 TEST_F(MakeComposite, PlanarMillimetresOfTheViewAreAsGoodAsMetres) {
@@ -227,7 +227,7 @@ TEST_F(MakeComposite, PlanarMillimetresOfTheViewAreAsGoodAsMetres) {
   ASSERT_EQ(said(request), "no complaint");
   const Image first = read_image(folder_ / "out.exr");
   request.depth.file = in("planar.pgm");
-  EXPECT_THAT(said(request), HasSubstr("--metres-per-step"));
+  EXPECT_THAT(said(request), HasSubstr("metres_per_step"));
   request.depth.metres_per_step = 0.001;
   ASSERT_EQ(said(request), "no complaint");
   EXPECT_EQ(read_image(folder_ / "out.exr").values, first.values);
@@ -252,7 +252,7 @@ TEST_F(MakeComposite, AMaskOfAnotherShapeOrBeyondOneIsRefused) {
   write_exr(folder_ / "mask.exr", Image(40, 30, 1, 0.0F));
   EXPECT_EQ(said(request), "no complaint");
   request.shadow_matte = in("mask.exr");
-  EXPECT_THAT(said(request), HasSubstr("--shadow-matte: wanted a sun"));
+  EXPECT_THAT(said(request), HasSubstr("shadow_matte: wanted a sun"));
 }
 
 TEST_F(MakeComposite, AMaskAndAMatteAreForBothEstimatorsAndSaidInTheReport) {
@@ -287,7 +287,7 @@ TEST_F(MakeComposite, AMaskAndAMatteAreForBothEstimatorsAndSaidInTheReport) {
   request.occlusion_mask.clear();
   request.occlusion = Occlusion::nobody;
   request.estimator = Estimator::fast;
-  EXPECT_THAT(said(request), HasSubstr("--estimator: wanted path beside --occlusion none"));
+  EXPECT_THAT(said(request), HasSubstr("estimator: wanted path beside occlusion none"));
 }
 
 TEST_F(MakeComposite, ASmallerWidthIsComparedWithAllDepthInTheReport) {

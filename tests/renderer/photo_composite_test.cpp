@@ -290,7 +290,7 @@ TEST(SeamlessWidth, IsThePapersForTheArtifactsThatArePresent) {
   const SeamlessWidth none =
       seamless_width({.occlusion = true}, {{Artifact::occlusion, std::nullopt, std::nullopt}});
   EXPECT_FALSE(none.width_px.has_value());
-  EXPECT_NE(none.needs.at(0).rule.find("--occlusion-mask"), std::string::npos);
+  EXPECT_NE(none.needs.at(0).rule.find("occlusion_mask"), std::string::npos);
 }
 
 }  // namespace

@@ -106,7 +106,7 @@ TEST(RenderJob, FewerElementsThanTruthsAreRefused) {
     (void)plan_job(study, {.set_folder = "none", .threads = 1}, drawn_costs(study, 1), 2);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("--elements: wanted at least 3"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("elements: wanted at least 3"));
   }
 }
 

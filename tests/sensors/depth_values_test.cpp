@@ -127,7 +127,7 @@ TEST_F(DepthValues, ColoursThatAreEqualAreDepthAndOthersAreNot) {
               HasSubstr("found 2.5 and 3 in pixel (1, 1)"));
   EXPECT_EQ(read_raw_depth(folder_ / "grey.exr", {.channel = "B"}).values[5], 3);
   EXPECT_THAT(complaint_of([&] { (void)read_raw_depth(folder_ / "grey.exr", {.channel = "Z"}); }),
-              HasSubstr("--depth-channel: wanted one of its channels, found Z beside the channels R, G, B"));
+              HasSubstr("depth_channel: wanted one of its channels, found Z beside the channels R, G, B"));
 }
 
 TEST_F(DepthValues, WhatStandsForNothingIsCountedAndSaid) {
@@ -206,7 +206,7 @@ TEST_F(DepthValues, AnEstimateWithoutAScaleIsNoDistance) {
   // Larger where it is farther is no inverse depth.
   DepthEstimate estimate;
   estimate.points = {{0.5, 0.5, 1}, {1.5, 1.5, 4}};
-  EXPECT_THAT(said({.estimate = estimate}), HasSubstr("(--depth-value relative?)"));
+  EXPECT_THAT(said({.estimate = estimate}), HasSubstr("(depth_value relative?)"));
   estimate.value = DepthValue::relative;
   EXPECT_EQ(read(raw, {.estimate = estimate}).file.holes, 0);
   estimate.points = {{5, 0.5, 1}};

@@ -177,7 +177,7 @@ TEST_F(Limits, ScenesLieBelowTheStudyFileOrTheAssetRoot) {
        {std::string("../elsewhere/b.glb"), std::string("link.glb"), std::string("linked/b.glb"), absolute}) {
     EXPECT_THAT(refusal(own, name),
                 AllOf(HasSubstr("s.toml: scene[0].file: wanted a file in the study file's folder"),
-                      HasSubstr("--asset-root"), HasSubstr("found \"" + name + "\"")));
+                      HasSubstr("asset_root"), HasSubstr("found \"" + name + "\"")));
     EXPECT_EQ(refusal(both, name), "no complaint") << name;
   }
   EXPECT_EQ(resolve_asset("b.glb", both, ""), folder_ / "elsewhere" / "b.glb");

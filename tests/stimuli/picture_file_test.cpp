@@ -94,12 +94,12 @@ TEST(PictureFiles, LayersAreTakenByName) {
   EXPECT_EQ(green("Albedo"), 1);
   EXPECT_THAT(read_picture(folder / "a.exr").notes, ElementsAre(HasSubstr("the picture is View.Combined")));
   EXPECT_THAT(complaint_of([&] { (void)green("Depth"); }),
-              HasSubstr("--layer: wanted one of the layers Albedo, View"));
+              HasSubstr("layer: wanted one of the layers Albedo, View"));
   write({{"N.X", 1}, {"N.Y", 1}, {"N.Z", 1}, {"beauty.R", 2}, {"beauty.G", 2}, {"beauty.B", 2}});
   EXPECT_EQ(green(), 2);
   write({{"a.R", 1}, {"a.G", 1}, {"a.B", 1}, {"b.R", 2}, {"b.G", 2}, {"b.B", 2}});
   EXPECT_THAT(complaint_of([&] { (void)green(); }),
-              HasSubstr("--layer: wanted which of its layers is the picture"));
+              HasSubstr("layer: wanted which of its layers is the picture"));
   write({{"N.X", 1}, {"N.Y", 1}, {"N.Z", 1}});
   EXPECT_THAT(complaint_of([&] { (void)green(); }), HasSubstr("found the channels N.X, N.Y, N.Z"));
   write({{"R", 1}, {"G", 1}, {"B", 1}, {"A", 0.5F}});
@@ -136,7 +136,7 @@ TEST(PictureFiles, DepthIsTakenByName) {
   EXPECT_THAT(complaint_of([&] {
                 (void)depth({{"N.X", 1}, {"N.Y", 1}, {"N.Z", 1}});
               }),
-              HasSubstr("--depth-channel: wanted the name of its channel of depth"));
+              HasSubstr("depth_channel: wanted the name of its channel of depth"));
   EXPECT_THAT(complaint_of([&] {
                 (void)depth({{"left.Z", 1}, {"right.Z", 1}});
               }),

@@ -106,7 +106,7 @@ TEST_F(VisitStoreTest, DecliningStoresTheFactAlone) {
 TEST_F(VisitStoreTest, TheShippedConsentIsForPilotsOnly) {
   const RenderedSet shipped = write_set(folder / "shipped", "64");
   EXPECT_THAT(complaint(shipped, folder / "other.sqlite", {.code = "p01"}),
-              testing::AllOf(HasSubstr("consent.text"), HasSubstr("--pilot")));
+              testing::AllOf(HasSubstr("consent.text"), HasSubstr("pilot")));
   EXPECT_FALSE(fs::exists(folder / "other.sqlite"));
   EXPECT_EQ(complaint(shipped, folder / "other.sqlite", {.code = "p01", .pilot = true}), "no complaint");
 }

@@ -6,6 +6,7 @@
 #include "support/text/csv.h"
 #include "support/text/error.h"
 #include "support/text/numbers.h"
+#include "support/text/request_name.h"
 
 namespace seamline::analysis {
 
@@ -27,7 +28,8 @@ std::vector<PercentLevel> percent_levels(const JudgedFit& judged) {
   std::vector<PercentLevel> levels;
   for (double percent : judged.request.percents) {
     if (!(percent > 0 && percent < 100))
-      throw input_error({.field = "--percent", .wanted = "between 0 and 100", .found = number_text(percent)});
+      throw input_error(
+          {.field = request_name("percent"), .wanted = "between 0 and 100", .found = number_text(percent)});
     PercentLevel level;
     level.percent = percent;
     level.level = level_of_correct(judged.fit, percent / 100);

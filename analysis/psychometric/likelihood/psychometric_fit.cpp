@@ -9,6 +9,7 @@
 #include "analysis/psychometric/likelihood/profile.h"
 #include "study/placement/sigmoid_shape.h"
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline::analysis {
 
@@ -68,8 +69,9 @@ void require_possible_without_stimulus(const PsychometricFit& fit) {
   throw input_error(
       {.field = "level 0",
        .wanted = fmt::format("a {} rate that is not 0, as {} of {} answers without a stimulus are right "
-                             "or yes (--guess free, --lapse free)",
-                             fit.search.problem.sign > 0 ? "guess" : "lapse", none.correct, none.trials),
+                             "or yes ({} free, {} free)",
+                             fit.search.problem.sign > 0 ? "guess" : "lapse", none.correct, none.trials,
+                             request_name("guess"), request_name("lapse")),
        .found = "a fixed rate of 0"});
 }
 

@@ -14,6 +14,7 @@
 #include "support/text/error.h"
 #include "support/text/limits.h"
 #include "support/text/printable.h"
+#include "support/text/request_name.h"
 
 namespace seamline::analysis {
 
@@ -28,21 +29,20 @@ using column_of::roles;
 
 /// What is known of a role: its option, and the names by which its column is found without it.
 struct ColumnFacts {
-  const char* option;
+  const char* member;  ///< of FitColumns
   const char* holds;
   std::vector<std::string> names;
 };
 
 const std::array<ColumnFacts, roles>& column_facts() {
   static const std::array<ColumnFacts, roles> facts = {
-      ColumnFacts{"--level", "the levels", {"level", "x", "intensity", "stimulus"}},
-      ColumnFacts{"--correct",
-                  "the right (or yes) answers",
-                  {"correct", "k", "right", "yes", "n_correct", "response"}},
-      ColumnFacts{"--trials", "the trials", {"trials", "n", "n_trials", "total"}},
-      ColumnFacts{"--times", "how often an answer was given", {}},
-      ColumnFacts{"--participant", "the participants", {}},
-      ColumnFacts{"--group", "the groups", {}}};
+      ColumnFacts{"level", "the levels", {"level", "x", "intensity", "stimulus"}},
+      ColumnFacts{
+          "correct", "the right (or yes) answers", {"correct", "k", "right", "yes", "n_correct", "response"}},
+      ColumnFacts{"trials", "the trials", {"trials", "n", "n_trials", "total"}},
+      ColumnFacts{"times", "how often an answer was given", {}},
+      ColumnFacts{"participant", "the participants", {}},
+      ColumnFacts{"group", "the groups", {}}};
   return facts;
 }
 
@@ -82,20 +82,20 @@ std::string usual_column(const TableHeader& header, Role role) {
     }
   }
   if (found.size() > 1)
-    throw header.complaint(
-        fmt::format("one column that may be the {}, or {} COLUMN", facts.names.front(), facts.option),
-        "'" + printable(found[0]) + "' and '" + printable(found[1]) + "'");
+    throw header.complaint(fmt::format("one column that may be the {}, or {} COLUMN", facts.names.front(),
+                                       request_name(facts.member)),
+                           "'" + printable(found[0]) + "' and '" + printable(found[1]) + "'");
   return found.empty() ? "" : found.front();
 }
 
 void find_columns(TableHeader& header, const FitColumns& columns) {
   const std::array<const std::string*, roles> named = {&columns.level, &columns.correct,     &columns.trials,
                                                        &columns.times, &columns.participant, &columns.group};
-  std::map<std::string, const char*> taken;
+  std::map<std::string, std::string> taken;
   for (std::size_t role = 0; role < roles; ++role) {
     const std::string& name = *named[role];
     if (name.empty()) continue;
-    const char* option = column_facts()[role].option;
+    const std::string option = request_name(column_facts()[role].member);
     if (std::find(header.csv.names.begin(), header.csv.names.end(), name) == header.csv.names.end())
       throw header.complaint(fmt::format("a column '{}' ({})", printable(name), option), header.all_names());
     if (!taken.emplace(name, option).second)
@@ -104,7 +104,9 @@ void find_columns(TableHeader& header, const FitColumns& columns) {
     header.column[role] = name;
   }
   if (!columns.times.empty() && !columns.trials.empty())
-    throw input_error({.field = "--times", .wanted = "either --trials or --times", .found = "both"});
+    throw input_error({.field = request_name("times"),
+                       .wanted = "either " + request_name("trials") + " or " + request_name("times"),
+                       .found = "both"});
   for (const Role role : {column_of::level, column_of::correct, column_of::trials})
     if (header.column[role].empty() && !(role == column_of::trials && !columns.times.empty())) {
       const std::string usual = usual_column(header, role);
@@ -113,7 +115,7 @@ void find_columns(TableHeader& header, const FitColumns& columns) {
   for (const Role role : {column_of::level, column_of::correct})
     if (header.column[role].empty())
       throw header.complaint(
-          "a header with the columns level,correct,trials, or " + std::string(column_facts()[role].option) +
+          "a header with the columns level,correct,trials, or " + request_name(column_facts()[role].member) +
               " COLUMN",
           fmt::format("no column '{}' in {}", column_facts()[role].names.front(), header.all_names()));
 }
@@ -194,7 +196,8 @@ LevelCounts row_counts(const CsvRow& row, const ColumnPlaces& places, study::Axi
   LevelCounts read{.level = number_at(row, *places.of[column_of::level]), .correct = 0, .trials = 1};
   if (axis == study::Axis::log2 && read.level < 0)
     throw complaint_about(row, *places.of[column_of::level],
-                          "a positive number on a log2 axis, or 0 for no stimulus (--axis linear takes any)",
+                          "a positive number on a log2 axis, or 0 for no stimulus (" + request_name("axis") +
+                              " linear takes any)",
                           row.values[*places.of[column_of::level]]);
   if (places.of[column_of::trials]) {
     read.correct = count_at(row, at_correct, most, most_text);
@@ -224,9 +227,9 @@ void require_counts(const TableHeader& header, const FitTable& table) {
   const auto size = static_cast<std::ptrdiff_t>(rows.size());
   if (all_01 && size >= 8 && 3 * ones >= size && 2 * several >= size)
     throw header.complaint(
-        fmt::format("how many of the trials were right, or --times {} where a row is an answer and how often "
+        fmt::format("how many of the trials were right, or {} {} where a row is an answer and how often "
                     "it was given",
-                    printable(header.column[column_of::trials])),
+                    request_name("times"), printable(header.column[column_of::trials])),
         fmt::format("0 or 1 in every row of '{}'", printable(header.column[column_of::correct])));
 }
 
@@ -248,7 +251,8 @@ void add_remarks(const TableHeader& header, const ColumnPlaces& places, bool dec
     for (const char* name : usual)
       for (const std::string& ignored : table.ignored)
         if (in_small_letters(ignored) == name)
-          table.remarks.push_back(fmt::format("{} {} fits {}", column_facts()[role].option, ignored, what));
+          table.remarks.push_back(
+              fmt::format("{} {} fits {}", request_name(column_facts()[role].member), ignored, what));
   };
   hint(column_of::participant, participant_names, "a model of people who differ");
   hint(column_of::group, group_names, "a function to each group");
@@ -283,10 +287,11 @@ FitTable read_fit_table(const std::filesystem::path& file, const FitColumns& col
     throw input_error(
         {.file = header.file, .field = "", .wanted = "at least one line of counts", .found = "none"});
   if (axis == study::Axis::log2 && std::none_of(table.rows.begin(), table.rows.end(), is_positive))
-    throw input_error({.file = header.file,
-                       .field = header.column[column_of::level],
-                       .wanted = "a level that is positive on a log2 axis (--axis linear takes any)",
-                       .found = "only 0, which is no stimulus"});
+    throw input_error(
+        {.file = header.file,
+         .field = header.column[column_of::level],
+         .wanted = "a level that is positive on a log2 axis (" + request_name("axis") + " linear takes any)",
+         .found = "only 0, which is no stimulus"});
   require_counts(header, table);
   add_remarks(header, places, decimal_commas, table);
   return table;

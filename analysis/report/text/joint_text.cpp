@@ -1,4 +1,5 @@
 #include "analysis/report/text/joint_text.h"
+#include "support/text/request_name.h"
 
 #include <fmt/format.h>
 
@@ -43,8 +44,8 @@ std::vector<std::string> sharing_sentences(const JointAnalysis& joint) {
       still.push_back(test);
   if (!still.empty())
     sentences.push_back(fmt::format(
-        "Curves may want their own: {}. Thresholds rest on the shared ones; compare them with those of --own.",
-        list_of_tests(still)));
+        "Curves may want their own: {}. Thresholds rest on the shared ones; compare them with those of {}.",
+        list_of_tests(still), request_name("own")));
   if (sentences.empty())
     sentences.push_back(
         "No curve is shown to want a scale, criteria, lapse rate or guess ratings of its own.");

@@ -8,6 +8,7 @@
 #include "analysis/report/text/threshold_text.h"
 #include "analysis/thresholds/paper_values.h"
 #include "support/files/markdown_table.h"
+#include "support/text/request_name.h"
 
 namespace seamline::analysis {
 namespace {
@@ -110,7 +111,7 @@ std::string spread_text(const Prediction& prediction) {
 std::string gain_text(const Prediction& prediction) {
   switch (prediction.gain_source) {
     case GainSource::given:
-      return "The gain was given with --gain.\n";
+      return "The gain was given with " + request_name("gain") + ".\n";
     case GainSource::study:
       return "The gain is the study's observer.image_gain.\n";
     case GainSource::paper:
@@ -166,7 +167,8 @@ std::string prediction_text(const Prediction& prediction) {
                             prediction.highest_floor)
               : "Floor: 0, because there are no stimuli without a seam (none) to measure it on.\n";
   if (!prediction.floor_known && prediction.gain_source == GainSource::detection)
-    text += "Eyes of this gain see the grain of rendering as well: see --finest-is-floor.\n";
+    text += "Eyes of this gain see the grain of rendering as well: see " + request_name("finest_is_floor") +
+            ".\n";
   return text;
 }
 

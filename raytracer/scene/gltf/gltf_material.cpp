@@ -12,6 +12,7 @@
 #include "support/text/error.h"
 #include "support/text/limits.h"
 #include "support/text/printable.h"
+#include "support/text/request_name.h"
 
 namespace seamline::renderer {
 namespace {
@@ -175,8 +176,8 @@ bool GltfMaterials::keeps_half_transparent(const tinygltf::Material& from, const
           {.file = file_.string(),
            .field = field,
            .wanted = fmt::format("opaque surfaces or cut-outs (half-transparent ones are not rendered; "
-                                 "--transparent {} is a way round)",
-                                 transparency_words),
+                                 "{} {} is a way round)",
+                                 request_name("transparent"), transparency_words),
            .found = fmt::format("{}, in the material \"{}\"", what, printable(from.name))});
     case Transparency::opaque:
       left_out_.insert("half-transparency (its surfaces are opaque)");

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline::study::app {
 
@@ -14,7 +15,7 @@ FrameTimes::FrameTimes(const std::filesystem::path& file) {
   file_.reset(std::fopen(file.c_str(), "we"));
   if (!file_)
     throw input_error({.file = file.string(),
-                       .field = "--frame-times",
+                       .field = request_name("frame_times"),
                        .wanted = "a file that can be written to",
                        .found = std::strerror(errno)});
   std::fputs("swap,screen,begun_ns,frame_ns,late,turn_to_shown_ns\n", file_.get());

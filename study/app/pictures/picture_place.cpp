@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline::study::app {
 
@@ -51,7 +52,7 @@ void require_panel(const StudyDefinition& study, Size screen_px, bool scaling_al
                              view->panel_px[0], view->panel_px[1],
                              view->kind == ViewKind::interleaved
                                  ? ": views under a lens sheet are seen nowhere else"
-                                 : " (or --allow-scaling)"),
+                                 : " (or " + request_name("allow_scaling") + ")"),
        .found = fmt::format("{:.0f} x {:.0f}", screen_px.width_px, screen_px.height_px)});
 }
 

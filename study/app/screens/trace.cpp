@@ -10,6 +10,7 @@
 #include "study/app/screens/screen_names.h"
 #include "study/app/screens/trial_view.h"
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline::study::app {
 namespace {
@@ -25,7 +26,7 @@ Trace::Trace(const std::filesystem::path& file) {
   descriptor_ = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
   if (descriptor_ < 0)
     throw input_error({.file = file.string(),
-                       .field = "--trace",
+                       .field = request_name("trace"),
                        .wanted = "a file that can be written to",
                        .found = std::strerror(errno)});
 }

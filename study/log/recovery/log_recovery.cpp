@@ -16,6 +16,7 @@
 #include "study/log/recovery/new_log.h"
 #include "study/trials/rendered_set.h"
 #include "support/files/temporary_folder.h"
+#include "support/text/request_name.h"
 
 namespace seamline::study {
 namespace fs = std::filesystem;
@@ -226,9 +227,10 @@ void check_whole_study(SQLite::Database& database, const fs::path& damaged) {
   if (database.execAndGet("SELECT count(*) FROM study").getInt() == 1 &&
       database.execAndGet("SELECT count(*) FROM stimuli").getInt() > 0)
     return;
-  throw input_error({.file = damaged.string(),
-                     .wanted = "a log whose study can still be read (or its set: --set SET)",
-                     .found = "none"});
+  throw input_error(
+      {.file = damaged.string(),
+       .wanted = "a log whose study can still be read (or its set: " + request_name("set") + " SET)",
+       .found = "none"});
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "support/files/atomic_file.h"
 #include "support/running/interrupt.h"
 #include "support/text/printable.h"
+#include "support/text/request_name.h"
 
 namespace seamline::study::online {
 namespace fs = std::filesystem;
@@ -86,10 +87,9 @@ void read_messages(std::string_view bytes, const std::string& name, const Render
       if (foreign == Foreign::ends_the_import)
         throw input_error(
             {.file = place,
-             .field =
-                 fmt::format("{} (nothing was imported; --skip-foreign leaves out what is no message of this "
-                             "study and set)",
-                             error.what())});
+             .field = fmt::format("{} (nothing was imported; {} leaves out what is no message of this "
+                                  "study and set)",
+                                  error.what(), request_name("skip_foreign"))});
       if (stretch.values++ == 0) stretch.place = place, stretch.fault = error.what();
       stretch.last_line = value.last_line;
     }
@@ -239,7 +239,7 @@ std::string import_text(const ImportReport& report, const fs::path& log) {
 RenderedSet set_for_log(const fs::path& log, const fs::path& given) {
   if (!given.empty()) return load_rendered_set(given);
   if (!fs::exists(log))
-    throw input_error({.field = "--set",
+    throw input_error({.field = request_name("set"),
                        .wanted = "the rendered set, to make " + log.string() + " of it",
                        .found = "none"});
   const LogContents contents = read_log(log);
@@ -250,7 +250,7 @@ RenderedSet set_for_log(const fs::path& log, const fs::path& given) {
     // moved or gone: it must be given
   }
   throw input_error(
-      {.field = "--set",
+      {.field = request_name("set"),
        .wanted = "the rendered set of " + log.string() + ", which is no more where the log says",
        .found = "none"});
 }

@@ -20,6 +20,7 @@
 #include "support/text/error.h"
 #include "support/text/html.h"
 #include "support/text/limits.h"
+#include "support/text/request_name.h"
 
 namespace seamline::study::online {
 namespace fs = std::filesystem;
@@ -37,7 +38,8 @@ void check_request(const RenderedSet& set, const WebRequest& request) {
   if (!request.pilot && is_default_consent(set.study.consent))
     throw input_error({.file = study_file_name(set),
                        .field = "consent.text",
-                       .wanted = "your own consent text (for a trial run with the shipped one use --pilot)",
+                       .wanted = "your own consent text (for a trial run with the shipped one use " +
+                                 request_name("pilot") + ")",
                        .found = "the shipped template"});
   for (const SceneDefinition& scene : list_truths(set.study))
     if (!scene.view.is_mono() && scene.view.kind != ViewKind::anaglyph &&
@@ -54,18 +56,19 @@ void check_request(const RenderedSet& set, const WebRequest& request) {
     throw input_error(
         {.file = study_file_name(set),
          .field = "procedure",
-         .wanted = "constant stimuli, because a static host or JATOS cannot place trials (with "
-                   "--serve `seamline serve` will)",
+         .wanted = "constant stimuli, because a static host or JATOS cannot place trials (with " +
+                   request_name("serve") + " `seamline serve` will)",
          .found = set.study.task && set.study.task->staircase ? "\"staircase\"" : "\"quest_plus\""});
   if (set.study.recruitment && request.host != Origin::serve)
     throw input_error({.file = study_file_name(set),
                        .field = "recruitment",
-                       .wanted = "a page with --serve, because a page on a host of files or JATOS would tell "
+                       .wanted = "a page with " + request_name("serve") +
+                                 ", because a page on a host of files or JATOS would tell "
                                  "everybody the codes (in JATOS set the study's end redirect URL instead)",
-                       .found = request.host == Origin::jatos ? "--jatos" : "a host of files"});
+                       .found = request.host == Origin::jatos ? request_name("jatos") : "a host of files"});
   const int orders = set.study.session.orders;
   if (orders > 0 && request.slots && *request.slots > orders)
-    throw input_error({.field = "--slots",
+    throw input_error({.field = request_name("slots"),
                        .wanted = fmt::format("at most {}, the orders of the study (session.orders)", orders),
                        .found = fmt::format("{}", *request.slots)});
 }

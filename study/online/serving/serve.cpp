@@ -14,6 +14,7 @@
 #include "study/online/messages/shown_names.h"
 #include "study/online/serving/tokens.h"
 #include "support/running/interrupt.h"
+#include "support/text/request_name.h"
 
 namespace seamline::study::online {
 namespace {
@@ -63,7 +64,8 @@ std::optional<HttpResponse> not_this_host() {
   return HttpResponse{.status = 421,
                       .body =
                           "{\"error\":\"This server does not answer to this name. Its operator can "
-                          "name it with --host.\"}"};
+                          "name it with " +
+                          request_name("host") + ".\"}"};
 }
 
 /// What was refused, counted, so that a flood of requests is not a flood of lines.

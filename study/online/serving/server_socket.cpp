@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline::study::online {
 
@@ -48,7 +49,7 @@ int listen_at(const std::string& address, int port) {
   six.sin6_port = htons(static_cast<std::uint16_t>(port));
   const bool is_four = ::inet_pton(AF_INET, address.c_str(), &four.sin_addr) == 1;
   if (!is_four && ::inet_pton(AF_INET6, address.c_str(), &six.sin6_addr) != 1)
-    throw input_error({.field = "--listen",
+    throw input_error({.field = request_name("listen"),
                        .wanted = "an address of this computer, like 127.0.0.1 or ::1",
                        .found = "\"" + address + "\""});
   const int descriptor =

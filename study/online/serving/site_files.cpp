@@ -19,6 +19,7 @@
 #include "support/files/hash.h"
 #include "support/text/error.h"
 #include "support/text/printable.h"
+#include "support/text/request_name.h"
 
 namespace seamline::study::online {
 namespace fs = std::filesystem;
@@ -118,7 +119,7 @@ void read_study(const fs::path& file, SiteFiles& site) {
   if (host != nullptr && host->text != word(Origin::serve))
     throw input_error({.file = file.string(),
                        .field = "host",
-                       .wanted = "\"serve\" (export the page with --serve)",
+                       .wanted = "\"serve\" (export the page with " + request_name("serve") + ")",
                        .found = "\"" + printable(host->text, 40) + "\""});
   site.study_hash = text_of(study, "study_hash", file);
   site.set_hash = text_of(study, "set_hash", file);

@@ -16,6 +16,7 @@
 #include "support/files/hash.h"
 #include "support/text/error.h"
 #include "support/text/printable.h"
+#include "support/text/request_name.h"
 
 namespace seamline::study::online {
 namespace fs = std::filesystem;
@@ -134,7 +135,7 @@ std::string code_of_invitation(const fs::path& file, const std::string& invitati
   const auto found = codes.find(sha256(token.substr(0, token.find_first_of("&#"))));
   if (found != codes.end()) return found->second;
   throw input_error({.file = file.string(),
-                     .field = "--code-of",
+                     .field = request_name("code_of"),
                      .wanted = "an invitation by which somebody came",
                      .found = "\"" + printable(invitation, 120) + "\""});
 }
