@@ -17,6 +17,7 @@ html_title = "Seamline"
 html_static_path = [os.path.join(os.path.dirname(__file__), "static")]
 html_css_files = ["manual.css"]
 html_js_files = ["manual.js"]
+html_search_scorer = os.path.join(os.path.dirname(__file__), "scorer.js")
 html_copy_source = False
 html_show_sourcelink = False
 html_last_updated_fmt = None
