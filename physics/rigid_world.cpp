@@ -278,11 +278,12 @@ BodyState RigidWorld::body() const {
   return state;
 }
 
-double RigidWorld::overlap_m() const {
-  double deepest_m = 0;
+Overlap RigidWorld::deepest_overlap() const {
+  Overlap deepest;
   for (const Touch& touch : bullet_->touches(0))
-    if (!touch.is_corner) deepest_m = std::max(deepest_m, -touch.distance_m);
-  return deepest_m;
+    if (!touch.is_corner && -touch.distance_m > deepest.depth_m)
+      deepest = {.depth_m = -touch.distance_m, .where_m = touch.on_ground_m};
+  return deepest;
 }
 
 RigidWorld::~RigidWorld() = default;

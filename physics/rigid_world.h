@@ -40,6 +40,12 @@ struct PhysicsSettings {
   double margin_m = 0.0005;           ///< a body rests so far above the ground, at most twice
 };
 
+/// A body inside the ground: how deep, and where in the world.
+struct Overlap {
+  double depth_m = 0;
+  Eigen::Vector3d where_m = Eigen::Vector3d::Zero();
+};
+
 /// Where a body is and how it moves.
 struct BodyState {
   Eigen::Isometry3d world_from_body = Eigen::Isometry3d::Identity();
@@ -71,8 +77,8 @@ class RigidWorld {
   void set_ground(Ground ground);
   void step();
   [[nodiscard]] BodyState body() const;
-  /// How deep the body reaches into the ground, at its deepest; 0: not at all.
-  [[nodiscard]] double overlap_m() const;
+  /// Where the body reaches deepest into the ground; a depth of 0: not at all.
+  [[nodiscard]] Overlap deepest_overlap() const;
 
  private:
   struct Bullet;

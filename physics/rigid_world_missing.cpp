@@ -29,8 +29,8 @@ void RigidWorld::step() {}
 BodyState RigidWorld::body() const {
   return {};
 }
-double RigidWorld::overlap_m() const {
-  return 0;
+Overlap RigidWorld::deepest_overlap() const {
+  return {};
 }
 
 }  // namespace seamline::renderer

@@ -73,13 +73,16 @@ double lowest_m(const Ground& ground) {
 
 void require_free_start(const RigidWorld& world, const Ground& ground, const BodyShape& shape,
                         const std::string& what) {
-  const double overlap_m = world.overlap_m();
+  const Overlap overlap = world.deepest_overlap();
   const double allowed_m = std::min(deepest_m, deepest_share * smallest_side_m(shape));
-  if (overlap_m > allowed_m)
+  if (overlap.depth_m > allowed_m)
     throw input_error(
         {.field = what,
          .wanted = "a place above the surface that it is let down on",
-         .found = fmt::format("one where its convex hull reaches {:.3g} m into a surface", overlap_m)});
+         .found = fmt::format(
+             "one where its convex hull reaches {:.3g} m into the surface at {:.2f} {:.2f} {:.2f}: "
+             "let go of it higher, or farther from there",
+             overlap.depth_m, overlap.where_m.x(), overlap.where_m.y(), overlap.where_m.z())});
   const Eigen::Vector3d middle_m = world.body().middle_m;
   if (is_inside(ground, middle_m))
     throw input_error({.field = what,
