@@ -65,7 +65,7 @@ class SetRenderer {
 
   RenderSummary run() {
     const Stopwatch watch;
-    check_existing_set();
+    earlier_stimuli_ = stimuli_listed(request_.set_folder, study_);
     work_ = find_work(study_, request_, hashes_, records_);
     summary_.already_finished = work_.already_finished;
     if (shown_.clip) share_among_frames();
@@ -125,16 +125,6 @@ class SetRenderer {
       progress_->advance(0, what);
     };
     decisions_.emplace(shown_, std::move(subject));
-  }
-
-  void check_existing_set() {
-    if (!fs::exists(request_.set_folder / "manifest.json")) return;
-    const Manifest existing = read_manifest(request_.set_folder);
-    if (existing.study_name != study_.name)
-      throw input_error({.file = request_.set_folder.string(),
-                         .wanted = "an empty folder or a set of study \"" + study_.name + "\"",
-                         .found = "a set of study \"" + existing.study_name + "\""});
-    earlier_stimuli_ = existing.stimuli.size();
   }
 
   /// Manifest and study file change together, at the end: until then a set stays what it was.
@@ -198,7 +188,9 @@ class SetRenderer {
     if (decisions_) decisions_->hold(*estimator, definition.truth);
     if (request_.part == JobPart::stimuli && estimator->truth_pieces() == 1) take_truth(scene, 1, *estimator);
     finish_reference(scene, *estimator);
-    if (request_.part == JobPart::truth) leave_truth(scene, *estimator);
+    if (request_.part == JobPart::truth)
+      truths_of_others_.leave(definition.truth, hashes_.of_reference(definition.truth), *estimator,
+                              report(weights_.truth, definition.truth + " truth"));
     give_back_freed_memory();
     for (const int object : scene.object_indices()) render_object(scene, object, *estimator);
     summary_.savings.emplace_back(definition.truth, estimator->savings());
@@ -208,16 +200,6 @@ class SetRenderer {
   void take_truth(const TruthScene& scene, int piece, SceneEstimator& estimator) {
     truths_of_others_.take(scene.definition.truth, piece, hashes_.of_reference(scene.definition.truth),
                            estimator);
-  }
-
-  void leave_truth(const TruthScene& scene, SceneEstimator& estimator) {
-    const std::string& name = scene.definition.truth;
-    for (int piece = 1; piece <= estimator.truth_pieces(); ++piece) {
-      if (truths_of_others_.has(name, piece, hashes_.of_reference(name))) continue;
-      ByteWriter out;
-      estimator.write_truth(piece, out, report(weights_.truth, name + " truth"));
-      truths_of_others_.write(name, piece, hashes_.of_reference(name), out.bytes());
-    }
   }
 
   void finish_reference(const TruthScene& scene, SceneEstimator& estimator) {
@@ -236,14 +218,9 @@ class SetRenderer {
   }
 
   void render_object(const TruthScene& scene, int object_index, SceneEstimator& estimator) {
-    std::map<std::pair<std::string, DepthSettings>, std::vector<PendingStimulus>> by_mesh;
-    const auto of_object = work_.of_object.find({scene.definition.truth, object_index});
-    if (of_object == work_.of_object.end()) return;
-    for (const std::size_t i : of_object->second) {
-      const PendingStimulus& work = work_.pending[i];
-      const std::optional<SceneDefinition> captured = captured_scene(study_, work.stimulus);
-      by_mesh[{captured ? canonical_text(*captured) : std::string(), work.stimulus.depth}].push_back(work);
-    }
+    const std::vector<std::vector<PendingStimulus>> meshes =
+        by_mesh(work_, study_, scene.definition.truth, object_index);
+    if (meshes.empty()) return;
     stereo_.forget();
     const std::string what = scene.definition.truth + " " +
                              scene.definition.objects[static_cast<std::size_t>(object_index - 1)].name;
@@ -253,7 +230,7 @@ class SetRenderer {
     estimator.take_object(object_index, report(weights_.truth, what));
     timings_.add("truth-" + scene.definition.truth + "-" + std::to_string(object_index), watch.seconds(),
                  estimator.truth().rays);
-    for (const auto& [mesh, works] : by_mesh) render_mesh(scene, estimator, works);
+    for (const std::vector<PendingStimulus>& works : meshes) render_mesh(scene, estimator, works);
     give_back_freed_memory();
   }
 

@@ -6,6 +6,7 @@
 #include "raytracer/tracing/ray_device.h"
 #include "renderer/transport/light_facts.h"
 #include "support/files/assets.h"
+#include "support/text/error.h"
 
 namespace seamline::renderer {
 namespace {
@@ -50,6 +51,16 @@ Manifest set_manifest(const SetState& set, std::map<std::string, LightFacts>& li
       out.references.push_back(*reference);
   out.left_out = sentences(plan_of(scenes, set, lights));
   return out;
+}
+
+std::size_t stimuli_listed(const std::filesystem::path& set_folder, const StudyDefinition& study) {
+  if (!std::filesystem::exists(set_folder / "manifest.json")) return 0;
+  const Manifest existing = read_manifest(set_folder);
+  if (existing.study_name != study.name)
+    throw input_error({.file = set_folder.string(),
+                       .wanted = "an empty folder or a set of study \"" + study.name + "\"",
+                       .found = "a set of study \"" + existing.study_name + "\""});
+  return existing.stimuli.size();
 }
 
 }  // namespace seamline::renderer

@@ -1,4 +1,6 @@
 #pragma once
+#include <cstddef>
+#include <filesystem>
 #include <map>
 #include <string>
 
@@ -20,5 +22,10 @@ struct SetState {
 /// The manifest of what is finished, in the study's order, with what was left out for it. `lights` holds
 /// the facts of scenes loaded so far; those of scenes that were finished earlier are added.
 [[nodiscard]] Manifest set_manifest(const SetState& set, std::map<std::string, LightFacts>& lights);
+
+/// How many stimuli the manifest in a folder lists; 0 where there is none. Throws InputError for a set of
+/// another study.
+[[nodiscard]] std::size_t stimuli_listed(const std::filesystem::path& set_folder,
+                                         const StudyDefinition& study);
 
 }  // namespace seamline::renderer

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "sets/set_layers.h"
+#include "stimuli/definition/clip_frames.h"
 #include "support/text/error.h"
 #include "support/text/request_name.h"
 
@@ -86,6 +87,21 @@ Answers asked_of_depth(const std::vector<Stimulus>& of_truth) {
   std::vector<Recipe> recipes;
   for (const auto& [artifact, isolation] : asking) recipes.push_back(recipe(artifact, isolation));
   return asked_by_any(recipes);
+}
+
+std::vector<std::vector<PendingStimulus>> by_mesh(const SetWork& work, const StudyDefinition& study,
+                                                  const std::string& truth, int object_index) {
+  const auto of_object = work.of_object.find({truth, object_index});
+  if (of_object == work.of_object.end()) return {};
+  std::map<std::pair<std::string, DepthSettings>, std::vector<PendingStimulus>> alike;
+  for (const std::size_t i : of_object->second) {
+    const PendingStimulus& one = work.pending[i];
+    const std::optional<SceneDefinition> captured = captured_scene(study, one.stimulus);
+    alike[{captured ? canonical_text(*captured) : std::string(), one.stimulus.depth}].push_back(one);
+  }
+  std::vector<std::vector<PendingStimulus>> meshes;
+  for (auto& [mesh, works] : alike) meshes.push_back(std::move(works));
+  return meshes;
 }
 
 std::vector<std::vector<PendingStimulus>> by_picture(const std::vector<PendingStimulus>& works) {

@@ -54,6 +54,12 @@ using StimuliOfTruths = std::map<std::string, std::vector<Stimulus>>;
 /// render: a set that was interrupted has the same bytes.
 [[nodiscard]] Answers asked_of_depth(const std::vector<Stimulus>& of_truth);
 
+/// What is to be rendered of one object of a truth, by the depth mesh that it is rendered with: of the same
+/// settings, captured of the same scene.
+[[nodiscard]] std::vector<std::vector<PendingStimulus>> by_mesh(const SetWork& work,
+                                                                const StudyDefinition& study,
+                                                                const std::string& truth, int object_index);
+
 /// Stimuli of one truth, object and depth mesh by what is seen of them: conditions that differ only in what
 /// people are asked, or told, show the same picture, which is rendered once.
 [[nodiscard]] std::vector<std::vector<PendingStimulus>> by_picture(const std::vector<PendingStimulus>& works);

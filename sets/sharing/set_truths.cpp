@@ -55,6 +55,16 @@ void SetTruths::take(const std::string& truth, int piece, const std::string& inp
                        .found = "another's of " + truth + ": remove the folder"});
 }
 
+void SetTruths::leave(const std::string& truth, const std::string& inputs, SceneEstimator& estimator,
+                      const ReportProgress& report) const {
+  for (int piece = 1; piece <= estimator.truth_pieces(); ++piece) {
+    if (has(truth, piece, inputs)) continue;
+    ByteWriter out;
+    estimator.write_truth(piece, out, report);
+    write(truth, piece, inputs, out.bytes());
+  }
+}
+
 bool SetTruths::has(const std::string& truth, int piece, const std::string& inputs) const {
   std::array<char, hash_digits> start{};
   std::ifstream in(path(truth, piece), std::ios::binary);

@@ -22,6 +22,9 @@ class SetTruths {
   /// Gives an estimator what `read` reads, where that is something. Throws InputError when the estimator
   /// cannot read it.
   void take(const std::string& truth, int piece, const std::string& inputs, SceneEstimator& estimator) const;
+  /// Writes the pieces of an estimator's truth that are not there.
+  void leave(const std::string& truth, const std::string& inputs, SceneEstimator& estimator,
+             const ReportProgress& report) const;
   [[nodiscard]] bool has(const std::string& truth, int piece, const std::string& inputs) const;
   void remove_all() const;
 

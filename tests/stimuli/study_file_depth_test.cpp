@@ -4,52 +4,23 @@
 
 #include <set>
 
-#include "stimuli/definition/stimulus.h"
-#include "stimuli/study_file/study_file.h"
-#include "tests/complaint.h"
+#include "tests/stimuli/study_of_depth.h"
 
 namespace seamline {
 namespace {
 
+using test::depth_complaint;
+using test::levels_complaint;
+using test::levels_study;
+using test::plain;
+using test::sensor_study;
+using test::study_of_depth;
 using testing::AllOf;
 using testing::HasSubstr;
-
-/// A study whose files are not there; `top` says what its levels are.
-StudyDefinition study_of_depth(const std::string& varied,
-                               const std::string& top = "depth_width_px = [64, 512]") {
-  std::string text = "format = \"seamline study 1\"\nname = \"small\"\n" + top + "\n" + varied +
-                     "\n[[scene]]\nname = \"room\"\nfile = \"none.glb\"\nartifacts = [\"receiver\"]\n";
-  for (const char* object : {"a", "b", "c"})
-    text += std::string("\n[[scene.object]]\nname = \"") + object + "\"\nfile = \"none.glb\"\n";
-  return read_study_text(text, "study.toml");
-}
-
-/// A study of one pinhole, whose level is the mesh's tolerance.
-StudyDefinition sensor_study(const std::string& depth, const std::string& more = "") {
-  return study_of_depth("[depth]\n" + depth + "\n" + more,
-                        "[level]\nquantity = \"mesh_tolerance\"\nvalues = [0.001, 0.01]");
-}
-
-/// The same with other levels.
-StudyDefinition levels_study(const std::string& quantity, const std::string& values,
-                             const std::string& depth) {
-  return study_of_depth("[depth]\n" + depth, "[level]\nquantity = \"" + quantity + "\"\nvalues = " + values);
-}
-
-std::string depth_complaint(const std::string& depth, const std::string& more = "") {
-  return test::complaint_of([&] { (void)sensor_study(depth, more); });
-}
-
-std::string levels_complaint(const std::string& quantity, const std::string& values,
-                             const std::string& depth) {
-  return test::complaint_of([&] { (void)levels_study(quantity, values, depth); });
-}
 
 const PinholeSource& pinhole_of(const DepthSettings& depth) {
   return std::get<PinholeSource>(depth.chain.value().sources.front());
 }
-
-constexpr const char* plain = "source = \"pinhole\"\nsize_px = [320, 240]\nfield_of_view_deg = 60\n";
 
 TEST(StudyFileDepth, NamingTheUsualPanoramaChangesNothing) {
   const StudyDefinition usual = study_of_depth("");
@@ -283,32 +254,6 @@ TEST(StudyFileDepth, WhatNothingWouldLookAtIsRefused) {
               HasSubstr("depth.reduction_factor: wanted a finer map of at most 16384 px, found 64 x 512 px"));
 }
 
-TEST(StudyFileDepth, WhoIsInFrontIsTheMeshOrATestAPixel) {
-  const StudyDefinition study = study_of_depth(
-      "[depth]\nocclusion = \"depth_buffer\"\nbuffer_bits = 16\nbuffer_near_m = 0.01\n"
-      "[[condition]]\nname = \"mesh\"\ndepth.occlusion = \"mesh\"\n"
-      "[[condition]]\nname = \"test\"\ndepth.occlusion = \"depth_test\"\n"
-      "[[condition]]\nname = \"coarse\"\n"
-      "[[condition]]\nname = \"fine\"\ndepth.buffer_bits = 24\n");
-  EXPECT_FALSE(study.conditions[0].depth.chain.has_value());
-  EXPECT_EQ(word(study.conditions[1].depth.chain.value().occlusion), "depth_test");
-  EXPECT_EQ(study.conditions[2].depth.chain.value().buffer,
-            (sensors::DepthBuffer{.nearest_m = 0.01, .farthest_m = 100, .bits = 16}));
-  EXPECT_EQ(study.conditions[3].depth.chain.value().buffer.bits, 24);
-  EXPECT_THAT(depth_complaint(std::string(plain) + "occlusion = \"shader\""),
-              HasSubstr("depth.occlusion: wanted \"mesh\" or \"depth_test\" or \"depth_buffer\""));
-  EXPECT_THAT(depth_complaint(std::string(plain) + "occlusion = \"depth_test\"\nbuffer_bits = 16"),
-              HasSubstr("depth.buffer_bits: wanted occlusion = \"depth_buffer\", found occlusion = "
-                        "\"depth_test\""));
-  EXPECT_THAT(depth_complaint(std::string(plain) + "buffer_far_m = 16"),
-              HasSubstr("depth.buffer_far_m: wanted occlusion = \"depth_buffer\""));
-  EXPECT_THAT(depth_complaint(std::string(plain) + "occlusion = \"depth_buffer\"\nbuffer_bits = 7"),
-              HasSubstr("depth.buffer_bits: wanted a whole number from 8 to 32"));
-  EXPECT_THAT(depth_complaint(std::string(plain) +
-                              "occlusion = \"depth_buffer\"\nbuffer_near_m = 2\nbuffer_far_m = 2"),
-              HasSubstr("depth.buffer_far_m: wanted a plane beyond buffer_near_m = 2, found 2"));
-}
-
 TEST(StudyFileDepth, TheOrderAndTheGuideOfARepairNeedWhatTheyOrder) {
   const std::string pinhole = plain;
   const StudyDefinition after =
@@ -340,22 +285,6 @@ TEST(StudyFileDepth, BoxesAreAReductionOfAPanorama) {
   EXPECT_NE(study_hash(study), study_hash(study_of_depth("[depth]\nreduction = \"median\"\n")));
   EXPECT_THAT(depth_complaint(std::string(plain) + "reduction = \"boxes\""),
               HasSubstr("depth.reduction: wanted a panorama"));
-}
-
-TEST(StudyFileDepth, ATestAPixelNeedsDepthOfThePhotographsPlace) {
-  const std::string aside = std::string(plain) + "pose = { position_m = [0.1, 0, 0] }\n";
-  const std::string test = "occlusion = \"depth_test\"\n";
-  for (const std::string& depth : {plain + test, plain + test + "pose = { rotation_deg = [5, 0, 0] }",
-                                   aside + test + "registration = \"points\"",
-                                   aside + test + "registration = \"mesh\"\ncalibration_error_m = 1"})
-    EXPECT_TRUE(is_in_photographs_place(sensor_study(depth).depth.chain.value())) << depth;
-  for (const std::string& depth : {aside + test, plain + test + "calibration_error_m = 1",
-                                   plain + test + "delay_ms = 10\nvelocity_m_s = [1, 0, 0]"})
-    EXPECT_THAT(depth_complaint(depth),
-                HasSubstr("depth.occlusion: wanted \"mesh\", or registration = \"points\" or \"mesh\""))
-        << depth;
-  EXPECT_THAT(levels_complaint("calibration_error_m", "[0, 0.1]", plain + test),
-              HasSubstr("depth.occlusion: wanted \"mesh\", or registration"));
 }
 
 TEST(StudyFileDepth, TheTextOfAChainTellsDifferentOnesApart) {
