@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <regex>
 
 #include "registration/files/text_cameras.h"
 #include "registration/files/yaml_tree.h"
 #include "support/text/error.h"
+#include "support/text/pattern.h"
 #include "support/text/printable.h"
 
 namespace seamline::registration {
@@ -214,10 +214,11 @@ void collect_focal(const json& tree, const std::string& path, int depth,
 }
 
 StatedCamera camera_of_focal(CameraTree in, const std::vector<std::pair<std::string, const json*>>& found) {
+  const Pattern colour("colou?r|rgb", Pattern::Case::any);
   const auto* chosen = &found.front();
   for (const auto& one : found)
-    if (std::regex_search(one.first, std::regex("colou?r|rgb", std::regex::icase))) chosen = &one;
-  if (found.size() > 1 && !std::regex_search(chosen->first, std::regex("colou?r|rgb", std::regex::icase)))
+    if (colour.is_in(one.first)) chosen = &one;
+  if (found.size() > 1 && !colour.is_in(chosen->first))
     throw in.wrong("", "one camera, or one called color", fmt::format("{} cameras", found.size()));
   const json& camera = *chosen->second;
   in.format = camera.contains("ppx") ? "RealSense" : "fx, fy, cx, cy";

@@ -7,7 +7,6 @@
 
 #include "stimuli/settings/settings_text.h"
 #include "support/files/toml_table.h"
-#include "support/running/overloaded.h"
 #include "support/text/suggest.h"
 
 // Study files by rows.
@@ -20,20 +19,23 @@ namespace seamline::inline stimuli {
 /// A complaint about a key that is the level and a setting as well.
 [[nodiscard]] InputError level_complaint(const TomlTable& table, std::string_view key, Quantity level);
 
-/// A value as it stands in a file, for complaints.
-template <class Owner>
-[[nodiscard]] std::string found_text(Setting<Owner> row, const Owner& owner) {
-  if (std::holds_alternative<std::string Owner::*>(row.slot)) return "\"" + value_text(row, owner) + "\"";
-  const bool is_two = std::holds_alternative<std::array<double, 2> Owner::*>(row.slot);
-  if (is_two) row.wording.between = ", ";
-  return is_two ? "[" + value_text(row, owner) + "]" : value_text(row, owner);
-}
+/// A value as it stands in a file, for complaints. `text` is the value's own.
+[[nodiscard]] std::string found_text(const SettingValue& value, const Wording& wording,
+                                     const std::string& text);
 
-/// Two numbers at `key`; `form` says which two.
-[[nodiscard]] std::array<double, 2> read_two(const TomlTable& table, const std::string& key,
-                                             NumberRange range, std::string_view form);
-[[nodiscard]] std::array<int, 2> read_two_whole(const TomlTable& table, const std::string& key,
-                                                NumberRange range, std::string_view form);
+/// A complaint about a setting that has no meaning beside `head`.
+[[nodiscard]] InputError beside_complaint(const TomlTable& table, std::string_view key, const Beside& beside,
+                                          const std::string& head);
+
+/// What a row allows.
+struct AllowedValue {
+  NumberRange range;
+  std::string_view form;  ///< of two numbers: which two
+};
+
+/// Reads what stands at `key`; nothing where the row's value is of no plain type.
+void read_value(const TomlTable& table, const std::string& key, const AllowedValue& allowed,
+                const SettableValue& value);
 
 template <class Owner>
 void read_setting(const TomlTable& table, const Setting<Owner>& row, Owner& owner) {
@@ -41,51 +43,16 @@ void read_setting(const TomlTable& table, const Setting<Owner>& row, Owner& owne
   if (!table.has(key)) {
     if (!row.required.empty()) throw table.complaint(key, std::string(row.required), "nothing");
   } else if (row.beside.is_refused && !is_used(row, owner)) {
-    const std::string wanted(row.beside.wanted);
-    throw table.complaint(key, wanted.empty() ? beside_text(row) + " beside it" : wanted,
-                          head_text(row, owner));
+    throw beside_complaint(table, row.key, row.beside, head_text(row, owner));
+  } else if (const auto* choice = std::get_if<Choice<Owner>>(&row.slot)) {
+    choice->choose(owner, read_word(table, row.key, choice->words));
   } else {
-    std::visit(
-        Overloaded{
-            [&](double Owner::*member) { owner.*member = table.number(key, 0, row.range); },
-            [&](std::optional<double> Owner::*member) { owner.*member = table.number(key, 0, row.range); },
-            [&](int Owner::*member) { owner.*member = table.integer(key, 0, row.range); },
-            [&](std::uint64_t Owner::*member) {
-              owner.*member = static_cast<std::uint64_t>(table.long_integer(key, 0, row.range));
-            },
-            [&](bool Owner::*member) { owner.*member = table.boolean(key, false); },
-            [&](std::string Owner::*member) { owner.*member = table.text(key); },
-            [&](std::array<int, 2> Owner::*member) {
-              owner.*member = read_two_whole(table, key, row.range, row.form);
-            },
-            [&](std::array<double, 2> Owner::*member) {
-              owner.*member = read_two(table, key, row.range, row.form);
-            },
-            [&](std::optional<std::array<double, 2>> Owner::*member) {
-              owner.*member = read_two(table, key, row.range, row.form);
-            },
-            [&](std::vector<double> Owner::*member) { owner.*member = table.numbers(key, row.range); },
-            [&](std::vector<std::string> Owner::*member) { owner.*member = table.texts(key); },
-            [&](std::array<double, 3> Owner::*member) {
-              owner.*member = table.triple(key, {0, 0, 0}, row.range);
-            },
-            [&](Eigen::Vector3d Owner::*member) {
-              const std::array<double, 3> three = table.triple(key, {0, 0, 0}, row.range);
-              owner.*member = {three[0], three[1], three[2]};
-            },
-            [&](std::optional<std::array<double, 3>> Owner::*member) {
-              owner.*member = table.triple(key, {0, 0, 0}, row.range);
-            },
-            [&](const Choice<Owner>& choice) {
-              choice.choose(owner, read_word(table, row.key, choice.words));
-            },
-            [](const Part<Owner>&) {}, [](const Described&) {}},
-        row.slot);
+    read_value(table, key, {row.range, row.form}, settable_value(row, owner));
   }
   if (row.fault == nullptr) return;
   const std::string wanted = row.fault(owner);
   if (wanted.empty()) return;
-  throw table.complaint(key, wanted, found_text(row, owner));
+  throw table.complaint(key, wanted, found_text(value_of(row, owner), row.wording, value_text(row, owner)));
 }
 
 /// Reads what a table says over what `owner` holds, row by row. Throws InputError for a value that no row

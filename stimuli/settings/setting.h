@@ -87,6 +87,10 @@ struct Beside {
   OneOf words = {};              ///< none: a boolean that is true
   std::string_view wanted = {};  ///< in place of `key = "word" beside it`
   bool is_refused = true;        ///< false: was accepted once, and old studies are read
+
+  [[nodiscard]] constexpr bool names(std::string_view word) const {
+    return word == words.first || word == words.second || word == words.third || word == words.fourth;
+  }
 };
 
 enum class Written { never, always, where_unusual, where_used };

@@ -4,8 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "stimuli/settings/setting.h"
-#include "support/running/overloaded.h"
+#include "stimuli/settings/setting_value.h"
 
 // Values of settings as text: for hashes, complaints and pages.
 namespace seamline::inline stimuli {
@@ -36,6 +35,12 @@ void set_place(Value& value, std::size_t place) {
   else
     begin_at(value, place, std::make_index_sequence<std::variant_size_v<Value>>());
 }
+
+/// `shadows = "traced"`.
+[[nodiscard]] std::string said(std::string_view key, const std::string& value);
+
+/// Adds a value in its wording; a list has it around each of its values.
+void add_worded(std::string& text, const Wording& wording, const std::string& value, bool is_list);
 
 }  // namespace settings
 
@@ -103,80 +108,42 @@ template <class Three>
   return fmt::format("[{},{},{}]", three[0], three[1], three[2]);
 }
 
-template <class Value>
-[[nodiscard]] std::string list_text(const std::vector<Value>& values, std::string_view before,
-                                    std::string_view after) {
-  std::string text;
-  for (const Value& value : values) text += fmt::format("{}{}{}", before, value, after);
-  return text;
-}
-
 /// A value alone: a word, a number, "[1,2,3]".
 template <class Owner>
 [[nodiscard]] std::string value_text(const Setting<Owner>& row, const Owner& owner) {
-  const Wording& wording = row.wording;
-  const auto two_text = [&](const auto& two) {
-    return fmt::format("{}{}{}", two[0], wording.between, two[1]);
-  };
-  return std::visit(
-      Overloaded{[&](std::array<int, 2> Owner::*member) { return two_text(owner.*member); },
-                 [&](std::array<double, 2> Owner::*member) { return two_text(owner.*member); },
-                 [&](std::optional<std::array<double, 2>> Owner::*member) {
-                   return owner.*member ? two_text(*(owner.*member)) : std::string();
-                 },
-                 [&](std::vector<double> Owner::*member) {
-                   return list_text(owner.*member, wording.before, wording.after);
-                 },
-                 [&](std::vector<std::string> Owner::*member) {
-                   return list_text(owner.*member, wording.before, wording.after);
-                 },
-                 [&](std::optional<double> Owner::*member) {
-                   return fmt::format("{}", (owner.*member).value_or(0));
-                 },
-                 [&](bool Owner::*member) { return std::string(owner.*member ? wording.yes : wording.no); },
-                 [&](std::array<double, 3> Owner::*member) { return three_text(owner.*member); },
-                 [&](Eigen::Vector3d Owner::*member) { return three_text(owner.*member); },
-                 [&](std::optional<std::array<double, 3>> Owner::*member) {
-                   return owner.*member ? three_text(*(owner.*member)) : std::string();
-                 },
-                 [&](const Choice<Owner>& choice) {
-                   std::string text(choice.words[choice.place(owner)]);
-                   if (choice.parameters != nullptr) text += choice.parameters(owner);
-                   return text;
-                 },
-                 [&](const Part<Owner>& part) { return part.text(owner); },
-                 [](const Described&) { return std::string(); },
-                 [&](auto Owner::*member) { return fmt::format("{}", owner.*member); }},
-      row.slot);
+  if (const auto* choice = std::get_if<Choice<Owner>>(&row.slot)) {
+    std::string text(choice->words[choice->place(owner)]);
+    if (choice->parameters != nullptr) text += choice->parameters(owner);
+    return text;
+  }
+  if (const auto* part = std::get_if<Part<Owner>>(&row.slot)) return part->text(owner);
+  return value_text(value_of(row, owner), row.wording);
 }
 
 /// Whether a setting is what it is where nothing is said.
 template <class Owner>
 [[nodiscard]] bool is_usual(const Setting<Owner>& row, const Owner& owner) {
   const Owner usual{};
-  return std::visit(
-      Overloaded{[&](const Choice<Owner>& choice) { return choice.place(owner) == choice.place(usual); },
-                 [&](const Part<Owner>& part) { return part.is_usual(owner); },
-                 [](const Described&) { return true; },
-                 [&](auto Owner::*member) { return owner.*member == usual.*member; }},
-      row.slot);
+  if (const auto* choice = std::get_if<Choice<Owner>>(&row.slot))
+    return choice->place(owner) == choice->place(usual);
+  if (const auto* part = std::get_if<Part<Owner>>(&row.slot)) return part->is_usual(owner);
+  return are_equal(value_of(row, owner), value_of(row, usual));
 }
 
 /// `"pcf" or "pcss"`.
-[[nodiscard]] inline std::string words_text(std::span<const std::string_view> words) {
-  std::string text;
-  for (const std::string_view word : words)
-    if (!word.empty()) text += fmt::format("{}\"{}\"", text.empty() ? "" : " or ", word);
-  return text;
-}
+[[nodiscard]] std::string words_text(std::span<const std::string_view> words);
+
+/// `shadows = "shadow_map"`, or several words with "or" between: what a setting stands beside.
+[[nodiscard]] std::string beside_text(const Beside& beside);
 
 /// `shadows = "traced"`: what the setting is that another stands beside.
 template <class Owner>
 [[nodiscard]] std::string head_text(const Setting<Owner>& row, const Owner& owner) {
   const Setting<Owner>& head = setting<Owner>(row.beside.key);
-  if (const auto* choice = std::get_if<Choice<Owner>>(&head.slot))
-    return fmt::format("{} = \"{}\"", head.key, choice->words[choice->place(owner)]);
-  return fmt::format("{} = {}", head.key, value_text(head, owner));
+  const auto* choice = std::get_if<Choice<Owner>>(&head.slot);
+  return settings::said(head.key, choice != nullptr
+                                      ? "\"" + std::string(choice->words[choice->place(owner)]) + "\""
+                                      : value_text(head, owner));
 }
 
 /// Whether a setting has a meaning beside the others.
@@ -186,17 +153,7 @@ template <class Owner>
   const Setting<Owner>& head = setting<Owner>(row.beside.key);
   if (const auto* flag = std::get_if<bool Owner::*>(&head.slot)) return owner.**flag;
   const auto& choice = std::get<Choice<Owner>>(head.slot);
-  const std::string_view word = choice.words[choice.place(owner)];
-  for (const std::string_view one : row.beside.words.all())
-    if (one == word) return true;
-  return false;
-}
-
-/// `shadows = "shadow_map"`, or several words with "or" between: what a setting stands beside.
-template <class Owner>
-[[nodiscard]] std::string beside_text(const Setting<Owner>& row) {
-  const std::string words = words_text(row.beside.words.all());
-  return fmt::format("{} = {}", row.beside.key, words.empty() ? "true" : words);
+  return row.beside.names(choice.words[choice.place(owner)]);
 }
 
 /// Gives every setting that has no meaning beside the others its default, so that equal means the same.
@@ -205,10 +162,10 @@ void drop_idle(Owner& owner) {
   const Owner usual{};
   for (const Setting<Owner>& row : settings_of<Owner>) {
     if (!row.beside.is_refused || is_used(row, owner)) continue;
-    std::visit(Overloaded{[&](const Choice<Owner>& choice) { choice.choose(owner, choice.place(usual)); },
-                          [](const Part<Owner>&) {}, [](const Described&) {},
-                          [&](auto Owner::*member) { owner.*member = usual.*member; }},
-               row.slot);
+    if (const auto* choice = std::get_if<Choice<Owner>>(&row.slot))
+      choice->choose(owner, choice->place(usual));
+    else
+      set_to(settable_value(row, owner), value_of(row, usual));
   }
 }
 
@@ -228,10 +185,7 @@ std::string settings_text(const Owner& owner) {
     if (wording.written == Written::never) continue;
     if (wording.written == Written::where_used && !is_used(row, owner)) continue;
     if (wording.written == Written::where_unusual && (is_usual(row, owner) || !is_used(row, owner))) continue;
-    std::string_view before = wording.before;
-    if (text.empty() && before.starts_with(", ")) before.remove_prefix(2);
-    const std::string value = value_text(row, owner);
-    text += is_list(row) ? value : fmt::format("{}{}{}", before, value, wording.after);
+    settings::add_worded(text, wording, value_text(row, owner), is_list(row));
   }
   return text;
 }
@@ -240,12 +194,7 @@ std::string settings_text(const Owner& owner) {
 template <class Owner>
 void set_level_of(Owner& owner, Quantity quantity, double level) {
   for (const Setting<Owner>& row : settings_of<Owner>)
-    if (row.level == quantity)
-      std::visit(Overloaded{[&](double Owner::*member) { owner.*member = level; },
-                            [&](std::optional<double> Owner::*member) { owner.*member = level; },
-                            [&](int Owner::*member) { owner.*member = static_cast<int>(level); },
-                            [](const auto&) {}},
-                 row.slot);
+    if (row.level == quantity) set_to(settable_value(row, owner), level);
 }
 
 /// The row whose level this is; null where `Owner` has none.

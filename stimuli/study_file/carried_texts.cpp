@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <limits>
-#include <regex>
 
 #include "stimuli/study_file/carried_files.h"
 #include "support/files/toml_table.h"
+#include "support/text/pattern.h"
 #include "support/text/printable.h"
 
 namespace seamline::inline stimuli {
@@ -19,10 +19,10 @@ constexpr std::size_t bytes_around_answer = 32, bytes_around_form = 2000;
 
 /// Paragraphs that people read. Every other text is one line.
 bool may_have_lines(const std::string& field) {
-  static const std::regex paragraphs(
+  static const Pattern paragraphs(
       "consent\\.text|instructions\\.page\\[\\d+\\]\\.text|training\\.feedback_(right|wrong)|"
       "session\\.(rating_)?question|form_field\\[\\d+\\]\\.label|texts\\..*");
-  return std::regex_match(field, paragraphs);
+  return paragraphs.matches(field);
 }
 
 void check_letters(const TomlTable& table, const std::string& field, const std::string& text) {

@@ -15,6 +15,7 @@
 #include "stimuli/study_file/parts/study_file_camera.h"
 #include "stimuli/study_file/parts/study_file_estimate.h"
 #include "stimuli/study_file/study_file_noise.h"
+#include "support/running/overloaded.h"
 #include "support/text/suggest.h"
 
 namespace seamline::inline stimuli {

@@ -120,7 +120,7 @@ void check_pipelines_are_seen(const TomlTable& study_table, const StudyDefinitio
     SeenMethods(study_table, condition).check();
     if (level != nullptr && !is_used(*level, condition.depth.pipeline))
       throw study_table.complaint(
-          "level.quantity", "pipeline." + beside_text(*level) + " in the study and every condition",
+          "level.quantity", "pipeline." + beside_text(level->beside) + " in the study and every condition",
           condition.name.empty() ? "another" : "another in the condition " + condition.name);
   }
 }

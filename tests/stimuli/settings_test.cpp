@@ -62,8 +62,9 @@ TEST(Settings, WhatStandsBesideNothingIsRefusedAndOtherwiseDropped) {
   for (const Setting<Pipeline>& row : settings_of<Pipeline>) {
     if (row.beside.key.empty()) continue;
     ++idle;
-    EXPECT_THAT(test::complaint_of([&] { (void)read_as<Pipeline>(std::string(row.key) + " = 1"); }),
-                HasSubstr(beside_text(row) + " beside it, found " + std::string(row.beside.key) + " = "));
+    EXPECT_THAT(
+        test::complaint_of([&] { (void)read_as<Pipeline>(std::string(row.key) + " = 1"); }),
+        HasSubstr(beside_text(row.beside) + " beside it, found " + std::string(row.beside.key) + " = "));
   }
   EXPECT_EQ(idle, 7);
   Pipeline pipeline;

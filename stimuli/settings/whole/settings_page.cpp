@@ -17,6 +17,7 @@
 #include "stimuli/settings/scene_settings.h"
 #include "stimuli/settings/study_settings.h"
 #include "stimuli/settings/view_settings.h"
+#include "support/running/overloaded.h"
 #include "support/text/error.h"
 
 namespace seamline::inline stimuli {
@@ -44,70 +45,91 @@ std::string two_cell(const Two& two) {
   return fmt::format("[{}, {}]", two[0], two[1]);
 }
 
-template <class Owner>
-std::string type_cell(const Setting<Owner>& row) {
+std::string plain_type_cell(const SettingValue& value) {
   return std::visit(
-      Overloaded{[](double Owner::*) { return std::string("number"); },
-                 [](std::optional<double> Owner::*) { return std::string("number"); },
-                 [](int Owner::*) { return std::string("whole"); },
-                 [](std::uint64_t Owner::*) { return std::string("whole"); },
-                 [](bool Owner::*) { return std::string("boolean"); },
-                 [](const Choice<Owner>&) { return std::string("text"); },
-                 [](std::string Owner::*) { return std::string("text"); },
-                 [](const Part<Owner>&) { return std::string("table"); },
-                 [](std::vector<double> Owner::*) { return std::string("numbers"); },
-                 [](std::vector<std::string> Owner::*) { return std::string("texts"); },
-                 [](std::array<int, 2> Owner::*) { return std::string("two whole"); },
-                 [](std::array<double, 2> Owner::*) { return std::string("two numbers"); },
-                 [](std::optional<std::array<double, 2>> Owner::*) { return std::string("two numbers"); },
-                 [](const Described& described) { return std::string(described.type); },
-                 [](auto Owner::*) { return std::string("three numbers"); }},
-      row.slot);
+      Overloaded{[](std::monostate) { return std::string(); },
+                 [](const double*) { return std::string("number"); },
+                 [](const std::optional<double>*) { return std::string("number"); },
+                 [](const int*) { return std::string("whole"); },
+                 [](const std::uint64_t*) { return std::string("whole"); },
+                 [](const bool*) { return std::string("boolean"); },
+                 [](const std::string*) { return std::string("text"); },
+                 [](const std::vector<double>*) { return std::string("numbers"); },
+                 [](const std::vector<std::string>*) { return std::string("texts"); },
+                 [](const std::array<int, 2>*) { return std::string("two whole"); },
+                 [](const std::array<double, 2>*) { return std::string("two numbers"); },
+                 [](const std::optional<std::array<double, 2>>*) { return std::string("two numbers"); },
+                 [](const auto*) { return std::string("three numbers"); }},
+      value);
 }
 
-template <class Owner>
-std::string range_cell(const Setting<Owner>& row) {
+/// A row of any struct, and its default as text.
+struct PlainRow {
+  std::string_view key, form, meaning;
+  NumberRange range;
+  std::span<const std::string_view> words;  ///< of a choice
+  const Beside& beside;
+  std::optional<Quantity> level;
+  std::string type, usual;
+};
+
+std::string range_cell(const PlainRow& row) {
   std::string text(row.form);
-  if (const auto* choice = std::get_if<Choice<Owner>>(&row.slot))
-    for (const std::string_view word : choice->words)
-      if (!word.empty()) text += fmt::format("{}`\"{}\"`", text.empty() ? "" : ", ", word);
+  for (const std::string_view word : row.words)
+    if (!word.empty()) text += fmt::format("{}`\"{}\"`", text.empty() ? "" : ", ", word);
   if (row.range.least == row.range.most || row.form == "not zero") return text;
   text += fmt::format("{}{} to {}", text.empty() ? "" : ", ", number_cell(row.range.least),
                       number_cell(row.range.most));
   return row.range.unit.empty() ? text : fmt::format("{} {}", text, row.range.unit);
 }
 
-template <class Owner>
-std::string usual_cell(const Setting<Owner>& row) {
-  if (!row.usual.empty()) return std::string(row.usual);
-  if (!row.required.empty()) return "required";
-  const Owner usual{};
-  return std::visit(
-      Overloaded{[&](const Choice<Owner>& choice) {
-                   return fmt::format("`\"{}\"`", choice.words[choice.place(usual)]);
-                 },
-                 [&](double Owner::*member) { return number_cell(usual.*member); },
-                 [&](bool Owner::*member) { return std::string(usual.*member ? "true" : "false"); },
-                 [&](std::string Owner::*member) { return fmt::format("\"{}\"", usual.*member); },
-                 [](const Part<Owner>&) { return std::string(); },
-                 [](const Described&) { return std::string(); },
-                 [](std::optional<double> Owner::*) { return std::string("none"); },
-                 [&](Eigen::Vector3d Owner::*member) { return three_cell(usual.*member); },
-                 [&](std::array<double, 3> Owner::*member) { return three_cell(usual.*member); },
-                 [&](std::array<int, 2> Owner::*member) { return two_cell(usual.*member); },
-                 [&](std::array<double, 2> Owner::*member) { return two_cell(usual.*member); },
-                 [&](auto Owner::* /*member*/) { return value_text(row, usual); }},
-      row.slot);
-}
-
-template <class Owner>
-std::string meaning_cell(const Setting<Owner>& row) {
+std::string meaning_cell(const PlainRow& row) {
   std::string text(row.meaning);
-  if (!row.beside.key.empty()) text += " Beside `" + beside_text(row) + "`.";
-  if (row.level && !std::holds_alternative<Choice<Owner>>(row.slot))
+  if (!row.beside.key.empty()) text += " Beside `" + beside_text(row.beside) + "`.";
+  if (row.level && row.words.empty())
     text += row.key == facts(*row.level).key ? " Can be the level."
                                              : fmt::format(" Can be the level, `{}`.", facts(*row.level).key);
   return text;
+}
+
+std::string plain_usual_cell(const SettingValue& usual, const Wording& wording) {
+  return std::visit(Overloaded{[](const double* number) { return number_cell(*number); },
+                               [](const bool* is_so) { return std::string(*is_so ? "true" : "false"); },
+                               [](const std::string* text) { return fmt::format("\"{}\"", *text); },
+                               [](const std::optional<double>*) { return std::string("none"); },
+                               [](const Eigen::Vector3d* three) { return three_cell(*three); },
+                               [](const std::array<double, 3>* three) { return three_cell(*three); },
+                               [](const std::array<int, 2>* two) { return two_cell(*two); },
+                               [](const std::array<double, 2>* two) { return two_cell(*two); },
+                               [&](const auto& /*one*/) { return value_text(usual, wording); }},
+                    usual);
+}
+
+template <class Owner>
+PlainRow plain(const Setting<Owner>& row) {
+  const Owner usual{};
+  const SettingValue value = value_of(row, usual);
+  PlainRow made{.key = row.key,
+                .form = row.form,
+                .meaning = row.meaning,
+                .range = row.range,
+                .words = {},
+                .beside = row.beside,
+                .level = row.level,
+                .type = plain_type_cell(value),
+                .usual = std::string(row.usual)};
+  const auto* choice = std::get_if<Choice<Owner>>(&row.slot);
+  if (choice != nullptr) {
+    made.type = "text";
+    made.words = choice->words;
+  }
+  if (std::holds_alternative<Part<Owner>>(row.slot)) made.type = "table";
+  if (const auto* described = std::get_if<Described>(&row.slot)) made.type = described->type;
+  if (made.usual.empty() && !row.required.empty()) made.usual = "required";
+  if (made.usual.empty())
+    made.usual = choice != nullptr ? fmt::format("`\"{}\"`", choice->words[choice->place(usual)])
+                                   : plain_usual_cell(value, row.wording);
+  return made;
 }
 
 /// The rows of these structs, each key once; `of` is what the second column says in place of the type.
@@ -117,15 +139,8 @@ class Table {
 
   template <class Owner>
   void add(const std::string& of = {}) {
-    for (const Setting<Owner>& row : settings_of<Owner>) {
-      if (row.key.empty()) continue;
-      if (!keys_.emplace(of, row.key).second) continue;
-      const bool has_type = of.empty();
-      std::string range = range_cell(row);
-      if (!has_type && range.empty()) range = type_cell(row);
-      lines_ += fmt::format("| `{}` | {} | {} | {} | {} |\n", row.key, has_type ? type_cell(row) : of, range,
-                            usual_cell(row), meaning_cell(row));
-    }
+    for (const Setting<Owner>& row : settings_of<Owner>)
+      if (!row.key.empty()) add(of, plain(row));
   }
 
   [[nodiscard]] std::string text() const {
@@ -135,6 +150,15 @@ class Table {
   }
 
  private:
+  void add(const std::string& of, const PlainRow& row) {
+    if (!keys_.emplace(of, row.key).second) return;
+    const bool has_type = of.empty();
+    std::string range = range_cell(row);
+    if (!has_type && range.empty()) range = row.type;
+    lines_ += fmt::format("| `{}` | {} | {} | {} | {} |\n", row.key, has_type ? row.type : of, range,
+                          row.usual, meaning_cell(row));
+  }
+
   std::string second_, lines_;
   std::set<std::pair<std::string, std::string_view>> keys_;
 };

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <regex>
 #include <set>
 
 #include "stimuli/settings/people/recruitment_settings.h"
 #include "stimuli/settings/read_settings.h"
+#include "support/text/pattern.h"
 
 namespace seamline::inline stimuli {
 namespace {
@@ -47,10 +47,9 @@ FormRule read_form_rule(const TomlTable& table, std::span<const FormField> form)
 std::int64_t read_closing(const TomlTable& table) {
   using namespace std::chrono;
   const std::string text = table.text("closes");
-  static const std::regex minute(R"((\d{4})-(\d\d)-(\d\d) (\d\d):(\d\d))");
-  std::smatch part;
-  if (std::regex_match(text, part, minute)) {
-    const auto number = [&](std::size_t i) { return std::stoi(part[i].str()); };
+  static const Pattern minute(R"((\d{4})-(\d\d)-(\d\d) (\d\d):(\d\d))");
+  if (const std::vector<std::string> part = minute.parts(text); !part.empty()) {
+    const auto number = [&](std::size_t i) { return std::stoi(part[i]); };
     const year_month_day day(year(number(1)), month(static_cast<unsigned>(number(2))),
                              std::chrono::day(static_cast<unsigned>(number(3))));
     if (day.ok() && number(4) < 24 && number(5) < 60)
@@ -64,11 +63,10 @@ std::int64_t read_closing(const TomlTable& table) {
 std::vector<std::string> read_identifiers(const TomlTable& table) {
   if (!table.has("identifiers")) return {};
   std::vector<std::string> names = table.texts("identifiers");
-  static const std::regex name("[A-Za-z][A-Za-z0-9_]{0,39}");
+  static const Pattern name("[A-Za-z][A-Za-z0-9_]{0,39}");
   static const std::set<std::string> taken = {"token", "visit", "lang", "code", "random"};
   for (const std::string& one : names)
-    if (!std::regex_match(one, name) || taken.contains(one) ||
-        std::count(names.begin(), names.end(), one) > 1)
+    if (!name.matches(one) || taken.contains(one) || std::count(names.begin(), names.end(), one) > 1)
       throw table.complaint("identifiers",
                             "names of the link that differ, of letters, figures and _, none of token, visit, "
                             "lang, code and random",
@@ -83,9 +81,9 @@ std::vector<std::string> read_identifiers(const TomlTable& table) {
 std::string read_return_link(const TomlTable& table, const std::vector<std::string>& identifiers) {
   const std::string link = table.text("return_link", "");
   if (link.empty()) return link;
-  static const std::regex address(
+  static const Pattern address(
       R"(https://[A-Za-z0-9.-]+(:\d+)?[/?][!-~]*|http://(localhost|127\.0\.0\.1)(:\d+)?[/?][!-~]*)");
-  if (!std::regex_match(link, address))
+  if (!address.matches(link))
     throw table.complaint("return_link",
                           "an address like \"https://app.prolific.com/submissions/complete?cc={code}\"",
                           "\"" + link + "\"");
