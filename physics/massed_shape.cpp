@@ -93,7 +93,7 @@ MassedShape massed(const HullShape& hull, double margin_m) {
   btConvexHullComputer whole;
   whole.compute(hull.points_m.front().data(), sizeof(Eigen::Vector3d), static_cast<int>(hull.points_m.size()),
                 0, 0);
-  const Moments moments = moments_of(solid_of(whole));
+  const VolumeMoments moments = moments_of(solid_of(whole));
   if (!(std::abs(moments.volume_m3) > 1e-12)) throw flat_shape();
   MassedShape out;
   const Eigen::Vector3d middle = moments.first / moments.volume_m3;

@@ -13,8 +13,8 @@ const Eigen::Vector3d& corner_m(const Solid& solid, const std::array<int, 3>& tr
 
 }  // namespace
 
-Moments moments_of(const Solid& solid) {
-  Moments moments;
+VolumeMoments moments_of(const Solid& solid) {
+  VolumeMoments moments;
   for (const auto& triangle : solid.triangles) {
     const Eigen::Vector3d &a = corner_m(solid, triangle, 0), &b = corner_m(solid, triangle, 1),
                           &c = corner_m(solid, triangle, 2);

@@ -13,12 +13,12 @@ struct Solid {
 };
 
 /// Volume, its first and second moments; of even density.
-struct Moments {
+struct VolumeMoments {
   double volume_m3 = 0;
   Eigen::Vector3d first = Eigen::Vector3d::Zero();
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
 };
-[[nodiscard]] Moments moments_of(const Solid& solid);
+[[nodiscard]] VolumeMoments moments_of(const Solid& solid);
 
 /// The planes of a convex solid's triangles: normal, outwards, and distance from the origin along it.
 /// Triangles that are lines have none.

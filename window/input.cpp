@@ -40,7 +40,7 @@ bool add(FrameInput& frame, const RawInput& input) {
             frame.focus = focus;
             return true;
           },
-          [&](const Resized&) {
+          [&](const WindowResized&) {
             frame.resized = true;
             return false;
           },

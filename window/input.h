@@ -63,13 +63,13 @@ struct FocusChanged {
   bool focused = false;
   std::int64_t now_ns = 0;
 };
-struct Resized {
+struct WindowResized {
   std::int64_t now_ns = 0;
 };
 struct Exposed {};  ///< part of the window must be drawn again
 struct CloseAsked {};
 using RawInput = std::variant<KeyPressed, CharacterTyped, MouseMoved, MousePressed, MouseReleased, Scrolled,
-                              FocusChanged, Resized, Exposed, CloseAsked>;
+                              FocusChanged, WindowResized, Exposed, CloseAsked>;
 
 /// What one frame reacts to: at most one key, press or release, so that two quick ones are never merged.
 struct FrameInput {

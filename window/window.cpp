@@ -98,7 +98,7 @@ void on_focus(GLFWwindow* window, int focused) {
 }
 
 void on_size(GLFWwindow* window, int /*width*/, int /*height*/) {
-  queue_of(window).emplace_back(Resized{monotonic_ns()});
+  queue_of(window).emplace_back(WindowResized{monotonic_ns()});
 }
 
 void on_refresh(GLFWwindow* window) {

@@ -172,10 +172,10 @@ sensors::DepthFrame read_true_depth(const std::string& path, const RegistrationR
 }
 
 /// What is wrong in the registered depth, and why, as a table and a picture.
-ErrorMap write_errors(const RegisterOptions& options, const RegistrationRig& rig,
-                      const sensors::DepthFrame& truth, const sensors::DepthFrame& measured,
-                      const RegisteredFrame& registered, const Image& photograph) {
-  ErrorMap errors = classify_errors(
+ErrorClassMap write_errors(const RegisterOptions& options, const RegistrationRig& rig,
+                           const sensors::DepthFrame& truth, const sensors::DepthFrame& measured,
+                           const RegisteredFrame& registered, const Image& photograph) {
+  ErrorClassMap errors = classify_errors(
       registered, truth, measured, rig.colour_from_depth,
       {.tolerance = options.tolerance, .range = {rig.depth_form.nearest_m, rig.depth_form.farthest_m}});
   write_file_atomically(fs::path(options.out) / "errors.csv", csv_text(errors_table(errors)));

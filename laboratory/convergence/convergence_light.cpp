@@ -77,7 +77,7 @@ class Sampling {
 
   void answer(const RowQuestions& questions, Picture& out, RayCounts& counts) const {
     std::vector<Ray> rays;
-    for (const Asked& asked : questions.past_everything) rays.push_back(asked.ray);
+    for (const AskedLight& asked : questions.past_everything) rays.push_back(asked.ray);
     std::vector<std::uint8_t> blocked(rays.size());
     truth_.occluded(rays, blocked, Coherence::scattered, &counts);
     for (std::size_t i = 0; i < rays.size(); ++i)

@@ -12,7 +12,7 @@
 namespace seamline::renderer {
 
 /// Light that is to arrive at a surface, in the pixel that shows it.
-struct Asked {
+struct AskedLight {
   std::size_t pixel = 0;
   Ray ray;
   /// Where nothing is in the way; and, of rays that look for what emits, what they weigh it by.
@@ -21,9 +21,9 @@ struct Asked {
 
 /// Questions of one row of pixels, answered together.
 struct RowQuestions {
-  std::vector<Asked> past_everything;  ///< whether anything is in the way
+  std::vector<AskedLight> past_everything;  ///< whether anything is in the way
   struct Found {
-    Asked asked;
+    AskedLight asked;
     std::function<Rgb(const SurfacePoint& hit)> emission;
   };
   std::vector<Found> emission_questions;  ///< what is met

@@ -222,7 +222,7 @@ double median_of(std::vector<double>& values) {
   return *middle;
 }
 
-void tally_all(ErrorMap& map, const RegisteredFrame& registered, const DepthFrame& truth) {
+void tally_all(ErrorClassMap& map, const RegisteredFrame& registered, const DepthFrame& truth) {
   std::array<std::vector<double>, error_class_count> errors_m;
   for (std::size_t at = 0; at < map.classes.size(); ++at) {
     const auto one = static_cast<std::size_t>(map.classes[at]);
@@ -245,9 +245,9 @@ const char* word(ErrorClass error_class) {
   return words[static_cast<std::size_t>(error_class)];
 }
 
-ErrorMap classify_errors(const RegisteredFrame& registered, const DepthFrame& truth,
-                         const DepthFrame& measured, const Eigen::Isometry3d& colour_from_depth,
-                         const ErrorSettings& settings) {
+ErrorClassMap classify_errors(const RegisteredFrame& registered, const DepthFrame& truth,
+                              const DepthFrame& measured, const Eigen::Isometry3d& colour_from_depth,
+                              const ErrorSettings& settings) {
   require_valid(measured, colour_from_depth, registered.frame.camera, {});
   if (truth.camera.width_px != registered.frame.camera.width_px ||
       truth.depth_m.size() != registered.frame.depth_m.size())
@@ -256,7 +256,7 @@ ErrorMap classify_errors(const RegisteredFrame& registered, const DepthFrame& tr
                                              registered.frame.depth_m.size()),
                        .found = std::to_string(truth.depth_m.size())});
   const Classifier class_of(registered, truth, measured, colour_from_depth, settings);
-  ErrorMap map;
+  ErrorClassMap map;
   map.classes.resize(truth.depth_m.size());
   const auto width = static_cast<std::size_t>(truth.camera.width_px);
   run_parallel(truth.camera.height_px, settings.threads, [&](int row) {

@@ -35,7 +35,7 @@ struct ErrorSettings {
 };
 
 /// Every pixel's class, and what each class's pixels are.
-struct ErrorMap {
+struct ErrorClassMap {
   std::vector<ErrorClass> classes;  ///< row by row
   struct Tally {
     std::int64_t pixels = 0;
@@ -59,9 +59,10 @@ struct ErrorMap {
 ///
 /// The same for any number of threads. Throws InputError as `require_valid`, and for a truth of another size
 /// than the registered frame.
-[[nodiscard]] ErrorMap classify_errors(const RegisteredFrame& registered, const sensors::DepthFrame& truth,
-                                       const sensors::DepthFrame& measured,
-                                       const Eigen::Isometry3d& colour_from_depth,
-                                       const ErrorSettings& settings = {});
+[[nodiscard]] ErrorClassMap classify_errors(const RegisteredFrame& registered,
+                                            const sensors::DepthFrame& truth,
+                                            const sensors::DepthFrame& measured,
+                                            const Eigen::Isometry3d& colour_from_depth,
+                                            const ErrorSettings& settings = {});
 
 }  // namespace seamline::registration

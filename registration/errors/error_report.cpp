@@ -46,17 +46,17 @@ double share_of(std::int64_t part, std::int64_t whole) {
                     : static_cast<double>(part) / static_cast<double>(whole);
 }
 
-std::int64_t all_pixels_of(const ErrorMap& map) {
+std::int64_t all_pixels_of(const ErrorClassMap& map) {
   return static_cast<std::int64_t>(map.classes.size());
 }
 
-std::int64_t wrong_of(const ErrorMap& map) {
+std::int64_t wrong_of(const ErrorClassMap& map) {
   return all_pixels_of(map) - map.of(ErrorClass::right).pixels;
 }
 
 }  // namespace
 
-CsvTable errors_table(const ErrorMap& map) {
+CsvTable errors_table(const ErrorClassMap& map) {
   CsvTable table{.name = "errors",
                  .columns = {{"class", "", "why the depth is wrong (documentation/how-to/registration.md)"},
                              {"colour", "", "in errors.png, red, green and blue in hexadecimal; right: none"},
@@ -70,7 +70,7 @@ CsvTable errors_table(const ErrorMap& map) {
   std::int64_t holes = 0;
   for (std::size_t i = 0; i < error_class_count; ++i) {
     const auto one = static_cast<ErrorClass>(i);
-    const ErrorMap::Tally& tally = map.of(one);
+    const ErrorClassMap::Tally& tally = map.of(one);
     const bool right = one == ErrorClass::right;
     holes += tally.without_depth;
     table.rows.push_back({std::string(word(one)), right ? std::string() : hex_of(colour_of(one)),
@@ -82,7 +82,7 @@ CsvTable errors_table(const ErrorMap& map) {
   return table;
 }
 
-std::string errors_text(const ErrorMap& map) {
+std::string errors_text(const ErrorClassMap& map) {
   const std::int64_t all = all_pixels_of(map), wrong = wrong_of(map);
   const auto line = [&](const std::string& what, std::int64_t count) {
     return fmt::format("  {:<34}{:>10}  {:5.1f} %\n", what, count, 100 * share_of(count, all));
@@ -96,7 +96,7 @@ std::string errors_text(const ErrorMap& map) {
   return text;
 }
 
-ByteImage errors_over_photograph(const ErrorMap& map, const Image& photograph) {
+ByteImage errors_over_photograph(const ErrorClassMap& map, const Image& photograph) {
   const ByteImage picture = display_image(photograph);
   ByteImage errors{picture.width_px, picture.height_px, 3, {}};
   errors.values.reserve(map.classes.size() * 3);

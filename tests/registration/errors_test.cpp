@@ -74,7 +74,7 @@ struct Planted {
   [[nodiscard]] RegisteredFrame by_mesh() const {
     return register_by_mesh(measured, colour_from_depth, colour, {.border_extrusion_px = 20, .threads = 1});
   }
-  [[nodiscard]] ErrorMap errors(const RegisteredFrame& registered) const {
+  [[nodiscard]] ErrorClassMap errors(const RegisteredFrame& registered) const {
     return classify_errors(registered, truth, measured, colour_from_depth, settings);
   }
   [[nodiscard]] std::size_t pixel_of(const Vector3d& point_m) const {
@@ -107,7 +107,7 @@ struct Planted {
 
 TEST(ErrorClasses, EachPlantedReasonIsFound) {
   const Planted planted;
-  const ErrorMap errors = planted.errors(planted.by_mesh());
+  const ErrorClassMap errors = planted.errors(planted.by_mesh());
   const auto at = [&](double x, double y, double z) {
     return std::string(word(errors.classes[planted.pixel_of({x, y, z})]));
   };
@@ -128,7 +128,7 @@ TEST(ErrorClasses, EachPlantedReasonIsFound) {
 TEST(ErrorClasses, OfEveryPixelTheReasonHoldsByFormula) {
   const Planted planted;
   const RegisteredFrame registered = planted.by_mesh();
-  const ErrorMap errors = planted.errors(registered);
+  const ErrorClassMap errors = planted.errors(registered);
   int hidden = 0, called_hidden = 0;
   for (std::size_t i = 0; i < errors.classes.size(); ++i) {
     const float found_m = registered.frame.depth_m[i], true_m = planted.truth.depth_m[i];
@@ -169,7 +169,7 @@ TEST(ErrorClasses, CountsAreOfAllPixelsAndTheSameForAnyNumberOfThreads) {
   Planted planted;
   for (const RegisteredFrame& registered :
        {planted.by_mesh(), register_by_points(planted.measured, planted.colour_from_depth, planted.colour)}) {
-    const ErrorMap errors = planted.errors(registered);
+    const ErrorClassMap errors = planted.errors(registered);
     std::int64_t sum = 0, holes = 0;
     for (std::size_t i = 0; i < error_class_count; ++i) {
       EXPECT_EQ(errors.tallies[i].pixels,
@@ -189,7 +189,7 @@ TEST(ErrorClasses, WhatPointsDoNotReachIsAGap) {
   const Planted planted;
   const RegisteredFrame registered =
       register_by_points(planted.measured, planted.colour_from_depth, planted.colour);
-  const ErrorMap errors = planted.errors(registered);
+  const ErrorClassMap errors = planted.errors(registered);
   const std::int64_t holes =
       static_cast<std::int64_t>(registered.filled.size()) - count_of(registered.filled);
   EXPECT_GT(errors.of(ErrorClass::gap).pixels, holes / 4);
@@ -203,7 +203,7 @@ TEST(ErrorClasses, ExactDepthIsRightAndTheTableAndThePictureSayWhatTheMapSays) {
   exact.frame.depth_m = planted.truth.depth_m;
   EXPECT_EQ(planted.errors(exact).of(ErrorClass::right).pixels, 320 * 240);
 
-  const ErrorMap errors = planted.errors(planted.by_mesh());
+  const ErrorClassMap errors = planted.errors(planted.by_mesh());
   const CsvTable table = errors_table(errors);
   ASSERT_EQ(table.rows.size(), error_class_count + 1);
   double share = 0, of_wrong = 0;

@@ -68,7 +68,7 @@ TEST(Solid, ABoxHasItsVolumeAndMoments) {
                                           {2, 4, 6},
                                           {1, 3, 5},
                                           {3, 7, 5}}};
-  const renderer::Moments moments = renderer::moments_of(box);
+  const renderer::VolumeMoments moments = renderer::moments_of(box);
   const double volume_m3 = 8 * half_m.prod();
   EXPECT_NEAR(moments.volume_m3, volume_m3, 1e-12);
   EXPECT_LT(moments.first.norm(), 1e-12);

@@ -7,7 +7,7 @@
 namespace seamline::study::online {
 
 /// How many requests a second somebody may make for long, and how many at once.
-struct Rate {
+struct RequestRate {
   double a_second = 20;
   double at_once = 100;
 };
@@ -16,7 +16,7 @@ struct Rate {
 class RateLimit {
  public:
   using Clock = std::chrono::steady_clock;
-  explicit RateLimit(const Rate& rate) : rate_(rate) {}
+  explicit RateLimit(const RequestRate& rate) : rate_(rate) {}
 
   /// Whether one more may be made now; then it is counted.
   [[nodiscard]] bool allows(const std::string& who, Clock::time_point now);
@@ -26,7 +26,7 @@ class RateLimit {
     double left = 0;
     Clock::time_point at;
   };
-  Rate rate_;
+  RequestRate rate_;
   std::mutex lock_;
   std::unordered_map<std::string, Allowance> of_;
 };

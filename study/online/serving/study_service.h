@@ -20,9 +20,9 @@ namespace seamline::study::online {
 
 /// How much one participant, and one address, may ask.
 struct ServiceLimits {
-  Rate participant = {.a_second = 20, .at_once = 200};
-  Rate address = {.a_second = 400, .at_once = 4000};  ///< many people may share one
-  Rate newcomers = {.a_second = 5, .at_once = 100};   ///< of an address
+  RequestRate participant = {.a_second = 20, .at_once = 200};
+  RequestRate address = {.a_second = 400, .at_once = 4000};  ///< many people may share one
+  RequestRate newcomers = {.a_second = 5, .at_once = 100};   ///< of an address
   std::int64_t most_participants = 100'000;
   Intake::Quota stored = {};  ///< of a participant
 };
