@@ -4,7 +4,7 @@
 #include <set>
 #include <tuple>
 
-#include "study/exchange/exposure_records.h"
+#include "study/exchange/slider_records.h"
 
 namespace seamline::analysis {
 namespace {

@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
+#include <string_view>
 #include <tuple>
 
 #include "stimuli/study_file/study_file.h"
 #include "study/exchange/clip_records.h"
+#include "study/exchange/slider_records.h"
 #include "support/arithmetic/random.h"
 #include "support/files/hash.h"
 #include "support/text/error.h"
@@ -201,36 +204,54 @@ Anonymity leave_out_rare_states(LogContents& log, int k) {
   return anonymity;
 }
 
+/// `rows` in the order of their numbers; nothing where there are none.
+template <class Row>
+void put_in_order(std::vector<Row>& rows, const std::vector<std::size_t>& order) {
+  if (rows.empty()) return;
+  std::vector<Row> ordered;
+  for (const std::size_t at : order) ordered.push_back(std::move(rows[at]));
+  rows = std::move(ordered);
+}
+
+/// The numbers from 0 to `count`, by the least key first.
+template <class Key>
+std::vector<std::size_t> order_by(std::size_t count, const Key& key) {
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+  return order;
+}
+
 /// Answers in an order that the participants did not see, and what goes with each of them.
-void number_again(LogContents& log, std::vector<std::optional<bool>>& late_clips) {
+void number_again(LogContents& log, Anonymity& anonymity) {
   const auto coarse_times = [](auto& row) {
     row.choice_ns = coarse(row.choice_ns);
     row.rating_ns = coarse(row.rating_ns);
   };
+  const auto beside = [](const auto& of_rows, std::size_t at) {
+    return of_rows.empty() ? std::nullopt : of_rows[at];
+  };
   std::map<std::string, int> next;
   for (Answer& answer : log.answers) coarse_times(answer);
-  std::vector<std::pair<Answer, std::optional<bool>>> answers;
-  late_clips.resize(late_clips.empty() ? 0 : log.answers.size());
-  for (std::size_t i = 0; i < log.answers.size(); ++i)
-    answers.emplace_back(std::move(log.answers[i]), late_clips.empty() ? std::nullopt : late_clips[i]);
-  const auto place = [](const std::pair<Answer, std::optional<bool>>& one) {
-    const Answer& a = one.first;
-    return std::tie(a.participant, a.stimulus_id, a.chosen_index, a.rating, a.choice_ns, a.rating_ns,
-                    one.second);
-  };
-  std::sort(answers.begin(), answers.end(),
-            [&](const auto& a, const auto& b) { return place(a) < place(b); });
-  for (std::size_t i = 0; i < answers.size(); ++i) {
-    log.answers[i] = std::move(answers[i].first);
-    if (!late_clips.empty()) late_clips[i] = answers[i].second;
-  }
-  for (Answer& answer : log.answers) answer.trial_index = next[answer.participant]++;
   for (CatchTrialAnswer& answer : log.catches) coarse_times(answer);
-  std::sort(log.catches.begin(), log.catches.end(), [](const CatchTrialAnswer& a, const CatchTrialAnswer& b) {
-    const bool a_right = a.right(), b_right = b.right();
-    return std::tie(a.participant, a.kind, a_right, a.rating, a.choice_ns, a.rating_ns) <
-           std::tie(b.participant, b.kind, b_right, b.rating, b.choice_ns, b.rating_ns);
+  SliderPlaces& slider = anonymity.slider;
+  const std::vector<std::size_t> answers = order_by(log.answers.size(), [&](std::size_t at) {
+    const Answer& a = log.answers[at];
+    return std::tuple(std::string_view(a.participant), std::string_view(a.stimulus_id), a.chosen_index,
+                      a.rating, a.choice_ns, a.rating_ns, beside(anonymity.late_clips, at),
+                      beside(slider.of_answers, at));
   });
+  put_in_order(log.answers, answers);
+  put_in_order(anonymity.late_clips, answers);
+  put_in_order(slider.of_answers, answers);
+  for (Answer& answer : log.answers) answer.trial_index = next[answer.participant]++;
+  const std::vector<std::size_t> catches = order_by(log.catches.size(), [&](std::size_t at) {
+    const CatchTrialAnswer& c = log.catches[at];
+    return std::tuple(std::string_view(c.participant), c.kind, c.right(), c.rating, c.choice_ns, c.rating_ns,
+                      beside(slider.of_catches, at));
+  });
+  put_in_order(log.catches, catches);
+  put_in_order(slider.of_catches, catches);
   for (CatchTrialAnswer& answer : log.catches) answer.trial_index = next[answer.participant]++;
 }
 
@@ -258,8 +279,9 @@ AnonymisedLog anonymise(LogContents log, int k) {
                        .found = fmt::format("{}", k)});
   AnonymisedLog out{.anonymity = leave_out_rare_states(log, k)};
   out.anonymity.late_clips = late_clips(log);
+  out.anonymity.slider = slider_places_in_order(log);
   give_new_codes(log);
-  number_again(log, out.anonymity.late_clips);
+  number_again(log, out.anonymity);
   const std::set<std::string> numbers = number_fields(log);
   std::set<std::string> fields;
   for (ParticipantRecord& participant : log.participants)

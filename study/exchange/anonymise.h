@@ -7,6 +7,11 @@
 
 namespace seamline::study {
 
+/// Where the slider of a rating stood, 0 to 100, by answer and by catch answer; none: not asked on a line.
+struct SliderPlaces {
+  std::vector<std::optional<int>> of_answers = {}, of_catches = {};
+};
+
 /// What an anonymised log is, for the tables that are made of it.
 struct Anonymity {
   int k = 5;                  ///< the smallest group of people who are alike
@@ -16,6 +21,7 @@ struct Anonymity {
   /// Of each answer to a clip: whether too many frames were late or dropped; none: not counted. Empty where
   /// the study has no clips.
   std::vector<std::optional<bool>> late_clips = {};
+  SliderPlaces slider = {};  ///< empty where the study has no slider
 };
 
 /// One question of the form, as it leaves the house.

@@ -14,6 +14,7 @@
 #include "study/exchange/exposure_records.h"
 #include "study/exchange/look_tables.h"
 #include "study/exchange/match_records.h"
+#include "study/exchange/slider_records.h"
 #include "study/log/online/reading_languages.h"
 
 namespace seamline::study {
@@ -176,16 +177,28 @@ void add_languages(const LogContents& log, CsvTable& participants) {
   }
 }
 
+/// To the tables of answers and of catch answers.
+void add_slider_column(const LogContents& log, const std::optional<Anonymity>& anonymity,
+                       std::vector<CsvTable>& tables) {
+  const SliderColumn slider = slider_column(log, anonymity);
+  if (slider.columns.empty()) return;
+  const auto add = [&](CsvTable& table, const std::vector<CsvValue>& cells) {
+    table.columns.push_back(slider.columns.front());
+    for (std::size_t i = 0; i < cells.size(); ++i) table.rows[i].push_back(cells[i]);
+  };
+  add(tables[0], slider.of_answers);
+  add(tables[1], slider.of_catches);
+}
+
 }  // namespace
 
 std::vector<CsvTable> answer_tables(const LogContents& log, const std::optional<Anonymity>& anonymity) {
   std::vector<CsvTable> tables = {table_of_answers(log), table_of_catches(log), table_of_participants(log)};
   if (!anonymity) add_languages(log, tables.back());
   add_clip_columns(log, anonymity, tables.front());
-  if (!anonymity) {
+  if (!anonymity)
     add_exposure_columns(log, tables.front());  // how a computer shows pictures may tell whose it is
-    add_slider_column(log, tables.front());
-  }
+  add_slider_column(log, anonymity, tables);
   if (anonymity)
     for (CsvTable& table : tables) table = without_order(std::move(table), *anonymity);
   else  // how somebody moves may tell who it is

@@ -9,6 +9,7 @@
 #include "study/exchange/answer_tables.h"
 #include "study/exchange/clip_records.h"
 #include "study/exchange/dataset.h"
+#include "study/exchange/slider_records.h"
 #include "support/files/assets.h"
 #include "support/text/csv.h"
 #include "support/text/printable.h"
@@ -108,18 +109,24 @@ BehRow beh_row(const CatchTrialAnswer& c, bool is_anonymous) {
           none};
 }
 
-/// The trials of each participant, in their order. `clips`: how the clips of answers were shown.
+/// The trials of each participant, in their order. `clips`: how the clips of answers were shown; `slider`:
+/// where it stood.
 std::map<std::string, std::vector<BehRow>> rows_by_participant(const LogContents& log,
-                                                               const ClipColumns& clips, bool is_anonymous) {
+                                                               const ClipColumns& clips,
+                                                               const SliderColumn& slider,
+                                                               bool is_anonymous) {
   std::map<std::string, std::vector<BehRow>> rows;
   for (std::size_t i = 0; i < log.answers.size(); ++i) {
     BehRow row = beh_row(log.answers[i]);
     if (!clips.rows.empty()) row.insert(row.end(), clips.rows[i].begin(), clips.rows[i].end());
+    if (!slider.columns.empty()) row.push_back(slider.of_answers[i]);
     rows[log.answers[i].participant].push_back(std::move(row));
   }
-  for (const CatchTrialAnswer& answer : log.catches) {
+  for (std::size_t i = 0; i < log.catches.size(); ++i) {
+    const CatchTrialAnswer& answer = log.catches[i];
     BehRow row = beh_row(answer, is_anonymous);
     row.resize(row.size() + clips.columns.size());
+    if (!slider.columns.empty()) row.push_back(slider.of_catches[i]);
     rows[answer.participant].push_back(std::move(row));
   }
   for (auto& [participant, trials] : rows)
@@ -162,7 +169,10 @@ std::vector<DatasetFile> bids_files(const LogContents& log, const std::optional<
   CsvTable beh = empty_beh_table(log);
   const ClipColumns clips = clip_columns(log, anonymity);
   beh.columns.insert(beh.columns.end(), clips.columns.begin(), clips.columns.end());
-  std::map<std::string, std::vector<BehRow>> rows = rows_by_participant(log, clips, anonymity.has_value());
+  const SliderColumn slider = slider_column(log, anonymity);
+  beh.columns.insert(beh.columns.end(), slider.columns.begin(), slider.columns.end());
+  std::map<std::string, std::vector<BehRow>> rows =
+      rows_by_participant(log, clips, slider, anonymity.has_value());
   for (std::size_t i = 0; i < subjects.size(); ++i) {
     beh.rows = std::move(rows[log.participants[i].code]);
     files.push_back({fmt::format("{0}/beh/{0}_task-{1}_beh.tsv", subjects[i], task),

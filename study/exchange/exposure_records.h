@@ -1,7 +1,4 @@
 #pragma once
-#include <map>
-
-#include "study/exchange/trial_events.h"
 #include "study/log/log.h"
 #include "support/text/csv.h"
 
@@ -13,12 +10,5 @@ namespace seamline::study {
 /// exposure, and of simulated people. Throws InputError when the log cannot be read, or an event `exposure`
 /// is none. The same of masks, from events `mask`.
 void add_exposure_columns(const LogContents& log, CsvTable& answers);
-
-/// Where the slider of each answered trial stood, of a study that has one. Throws InputError where an event
-/// `slid` says no place.
-[[nodiscard]] std::map<TrialOfPerson, int> slider_places(const LogContents& log);
-[[nodiscard]] bool has_slider(const LogContents& log);
-/// Adds them to the table of the log's answers: a column `position`.
-void add_slider_column(const LogContents& log, CsvTable& answers);
 
 }  // namespace seamline::study

@@ -1,10 +1,19 @@
 #include "study/exchange/trial_events.h"
 
+#include <algorithm>
+
+#include "stimuli/definition/parts/task_definition.h"
 #include "study/log/log_database.h"
 #include "study/log/log_values.h"
 #include "support/text/printable.h"
 
 namespace seamline::study {
+
+bool some_task(const LogContents& log, const std::function<bool(const TaskDefinition&)>& has) {
+  return (log.task && has(*log.task)) ||
+         std::any_of(log.own_tasks.begin(), log.own_tasks.end(),
+                     [&](const auto& one) { return one.second && has(*one.second); });
+}
 
 void read_trial_events(
     const LogContents& log, const std::string& kind, const std::string& wanted,

@@ -10,7 +10,7 @@
 #include "analysis/report/tables/psychometric_tables.h"
 #include "analysis/report/tables/replication_tables.h"
 #include "analysis/report/tables/scenes_tables.h"
-#include "study/exchange/exposure_records.h"
+#include "study/exchange/slider_records.h"
 #include "study/running/staircase_results.h"
 
 namespace seamline::analysis {
