@@ -6,7 +6,7 @@ namespace seamline::inline window::look {
 
 inline constexpr Colour background = grey(128);  ///< around pictures and behind every page
 inline constexpr Colour ink_on_background = grey(10);
-inline constexpr Colour quiet_on_background = grey(46);
+inline constexpr Colour quiet_on_background = grey(20);
 inline constexpr Colour card = grey(238);
 inline constexpr Colour card_edge = grey(104);
 inline constexpr Colour ink = grey(28);

@@ -67,7 +67,7 @@ async function slide(page, position, byMouse, look = async () => {}) {
   assert.equal(await page.locator("#slider-done").isDisabled(), true, "a slider without a place confirms nothing");
   if (byMouse) {
     const box = await line.boundingBox();
-    const thumb = 16;
+    const thumb = 10;
     await page.mouse.click(box.x + thumb / 2 + ((box.width - thumb) * position) / 100, box.y + box.height / 2);
     const found = await value();
     assert.ok(Math.abs(found - position) <= 1, `the mouse put the slider at ${found} for ${position}`);

@@ -128,7 +128,7 @@ Outcome adjust(const TaskTrial& trial) {
 /// A place on a line, in a task with nothing to choose.
 Outcome slide(const TaskTrial& trial) {
   Stage& stage = trial.stage;
-  draw_question(stage, trial.place, Font::body, trial.texts.question, 0.9);
+  draw_question(stage, trial.place, Font::body, trial.texts.question, 0.4);
   draw_question(stage, trial.place, Font::small, trial.texts.hint, 5.2);
   const std::optional<int> position = draw_slider(stage, trial.place.questions, trial.task->labels);
   if (!position) return std::nullopt;

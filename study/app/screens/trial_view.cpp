@@ -114,7 +114,7 @@ void draw_progress(Stage& stage, int done, int all) {
   stage.canvas().text(Font::small,
                       {mirrored ? margin_px : stage.screen_px.width_px - size.width_px - margin_px,
                        bottom_px - size.height_px - 0.4 * margin_px},
-                      text, grey(88));
+                      text, look::quiet_on_background);
 }
 
 }  // namespace seamline::study::app

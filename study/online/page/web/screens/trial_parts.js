@@ -54,7 +54,7 @@ export function answering(app, session, isPractice) {
  * place comes with the first press. `take(position, event)` hears where it stands in the end.
  */
 export function sliderRow(app, stage, labels, take) {
-  const line = element("input", { type: "range", id: "slider", class: "unset", min: 0, max: 100, step: 1, "aria-labelledby": "title" });
+  const line = element("input", { type: "range", id: "slider", class: labels.length === 5 ? "unset fifths" : "unset", min: 0, max: 100, step: 1, "aria-labelledby": "title" });
   const done = element("button", { type: "button", id: "slider-done", disabled: true, onclick: (event) => take(Number(line.value), event) }, app.phrase("continue"));
   const say = () => {
     const at = labels.length === 5 ? Math.min(4, Math.floor(Number(line.value) / 20)) : Number(line.value) < 50 ? 0 : 1;
