@@ -56,21 +56,25 @@ TEST_F(Languages, EveryBuiltinTranslatesAllThatSeamlineSays) {
 }
 
 TEST_F(Languages, EveryBuiltinTranslatesTheTasks) {
-  for (const std::string tag : {"de", "fr", "es", "zh", "ja", "ar"})
-    for (const std::string kind : {"pair", "interval", "yes_no", "rating"}) {
+  const std::string references = "[catch]\nreference = 9\n";
+  for (const std::string& task :
+       {references + "[task]\nkind = \"pair\"\n", references + "[task]\nkind = \"pair\"\nasks = \"same\"\n",
+        references + "[task]\nkind = \"interval\"\n", references + "[task]\nkind = \"yes_no\"\n",
+        references + "[task]\nkind = \"rating\"\n",
+        references + "[task]\nkind = \"rating\"\nscale = \"slider\"\n"})
+    for (const std::string tag : {"de", "fr", "es", "zh", "ja", "ar"}) {
       const StudyDefinition study =
-          study_of("[catch]\nreference = 9\n[task]\nkind = \"" + kind + "\"\n[[language]]\ntag = \"" + tag +
-                   "\"\ntexts = \"builtin:" + tag + "\"\n");
+          study_of(task + "[[language]]\ntag = \"" + tag + "\"\ntexts = \"builtin:" + tag + "\"\n");
       const StudyTexts texts = read_study_texts(study, study.languages->languages.at(0));
-      EXPECT_EQ(missing_texts(study, texts), std::vector<std::string>{}) << tag << " " << kind;
+      EXPECT_EQ(missing_texts(study, texts), std::vector<std::string>{}) << tag << " " << task;
       const StudyDefinition read = in_language(study, texts);
-      EXPECT_NE(read.session.question, study.session.question) << tag << " " << kind;
+      EXPECT_NE(read.session.question, study.session.question) << tag << " " << task;
+      EXPECT_NE(read.instructions.at(0).text, study.instructions.at(0).text) << tag << " " << task;
       EXPECT_EQ(read.task->answers.size(), study.task->answers.size());
       EXPECT_TRUE(read.task->answers.empty() || read.task->answers != study.task->answers)
-          << tag << " " << kind;
-      EXPECT_TRUE(read.task->labels.empty() || read.task->labels != study.task->labels) << tag << " " << kind;
-      EXPECT_EQ(study_hash(study),
-                study_hash(study_of("[catch]\nreference = 9\n[task]\nkind = \"" + kind + "\"\n")));
+          << tag << " " << task;
+      EXPECT_TRUE(read.task->labels.empty() || read.task->labels != study.task->labels) << tag << " " << task;
+      EXPECT_EQ(study_hash(study), study_hash(study_of(task)));
     }
 }
 

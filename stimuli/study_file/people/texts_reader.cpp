@@ -14,7 +14,7 @@ namespace {
 
 /// What Seamline says of a kind of task where nothing else is set: what built-in files translate.
 TaskTexts plain_texts(const TaskDefinition& task) {
-  return usual_texts({.kind = task.kind, .second_question = false, .slider = task.slider});
+  return usual_texts({.kind = task.kind, .same = task.same, .second_question = false, .slider = task.slider});
 }
 
 /// What a built-in file calls a text of a task: of a slider by a name of its own where the labels' differs.
@@ -83,11 +83,16 @@ void TextsReader::read_task_texts(const TomlTable& table) const {
   table.finish();
 }
 
+/// Whether a `[[task_texts]]` is of this task.
+bool is_said_of(const TomlTable& table, const TaskDefinition* task) {
+  const std::string kind = table.text("kind"), asks = table.text("asks", "");
+  return task != nullptr && kind == word(task->kind) && task->same == (asks == "same");
+}
+
 /// `[[task_texts]]` of a built-in file: what Seamline says of one kind of task.
 void TextsReader::read_usual_task_texts(const TomlTable& table) const {
-  const std::string kind = table.text("kind");
   read_usual_texts_of_conditions(table);
-  if (!study.task || study.task->same || kind != word(study.task->kind)) return;
+  if (!is_said_of(table, study.task.get())) return;
   const TaskTexts usual = plain_texts(*study.task);
   take(table, "question", study.session.question, usual.question, into.question);
   take(table, "feedback_right", study.training.feedback_right, usual.feedback_right, into.feedback_right);
@@ -116,7 +121,7 @@ void TextsReader::set_page(const std::string& usual, const std::string& text) co
 void TextsReader::read_usual_texts_of_conditions(const TomlTable& table) const {
   for (const ConditionDefinition& condition : study.conditions) {
     const TaskDefinition* task = condition.task.get();
-    if (task == nullptr || task->same || table.text("kind") != word(task->kind)) continue;
+    if (!is_said_of(table, task)) continue;
     const TaskTexts usual = plain_texts(*task);
     ConditionTexts& texts = into.conditions[condition.name];
     take(table, "question", task->own.question, usual.question, texts.own.question);
