@@ -6,72 +6,17 @@
 #include <vector>
 
 #include "study/online/messages/message_reader.h"
+#include "study/online/serving/service_answers.h"
 #include "study/online/serving/tokens.h"
 #include "support/files/hash.h"
-#include "support/text/printable.h"
 
 namespace seamline::study::online {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-HttpResponse answer(const Json& json, int status = 200) {
-  return {.status = status, .body = json.dump(-1, ' ', false, Json::error_handler_t::replace)};
-}
-
-/// `reason`: what the page has words of its own for, in the study's language; empty: nothing.
-HttpResponse error(int status, const std::string& sentence, const std::string& reason = {}) {
-  Json json;
-  json["error"] = printable(sentence);
-  if (!reason.empty()) json["reason"] = reason;
-  return answer(json, status);
-}
-
-/// Whoever had a secret and was forgotten, and whoever never had one, are the same in a log that somebody was
-/// deleted from: nothing is left of them. Where nobody ever was, this is more likely another log than the one
-/// that they answered into: their page waits, and the operator can begin again with the right one.
-HttpResponse nobody(const std::string& secret, bool anybody_was_deleted) {
-  if (is_sha256(secret) && !anybody_was_deleted)  // a secret has its form: 64 hexadecimal digits
-    return error(503, "Authorization: the server's log knows nobody of this secret; is it the study's log?");
-  return error(401, "No participant has this secret.", is_sha256(secret) ? "forgotten" : "");
-}
-
 HttpResponse no_experimenter() {
-  return error(401, "This is not the experimenter's secret.");
-}
-
-int status_of(RefusalKind kind) {
-  switch (kind) {
-    case RefusalKind::wrong:
-      return 400;
-    case RefusalKind::unknown:
-      return 403;
-    case RefusalKind::conflict:
-      return 409;
-    case RefusalKind::excluded:
-      return 409;
-    case RefusalKind::too_much:
-      return 413;
-    case RefusalKind::failed:
-      return 503;
-  }
-  return 500;
-}
-
-std::string reason_of(RefusalKind kind) {
-  return kind == RefusalKind::excluded ? "excluded" : "";
-}
-
-HttpResponse error(const Refusal& refusal) {
-  return error(status_of(refusal.kind()), refusal.what(), reason_of(refusal.kind()));
-}
-
-HttpResponse messages_answer(const std::vector<std::string>& stored, const Refusal* refusal) {
-  Json json;
-  if (refusal != nullptr) json["error"] = printable(refusal->what());
-  if (refusal != nullptr && !reason_of(refusal->kind()).empty()) json["reason"] = reason_of(refusal->kind());
-  json["stored"] = stored;
-  return answer(json, refusal == nullptr ? 200 : status_of(refusal->kind()));
+  return error_answer(401, "This is not the experimenter's secret.");
 }
 
 /// The lines of a body; the last one need not end. Throws Refusal at the first that is no message, which
@@ -104,17 +49,6 @@ std::string method_of(const std::string& path) {
   return path == "/api/where" || path == "/api/end" || path == "/api/watch" ? "GET" : "POST";
 }
 
-Json json_of(const std::optional<VisitEnd>& end) {
-  if (!end) return {{"outcome", nullptr}};
-  return {{"outcome", word(end->outcome)}, {"code", end->code}, {"link", end->link}};
-}
-
-HttpResponse error(const NoEntry& no) {
-  Json json = {{"error", printable(no.what())}, {"reason", no.reason()}};
-  if (no.end()) json["end"] = json_of(no.end());
-  return answer(json, status_of(no.kind()));
-}
-
 }  // namespace
 
 std::string loggable_path(const std::string& path) {
@@ -140,13 +74,14 @@ StudyService::StudyService(const SiteFiles& site, Intake& intake, const ServiceH
 HttpResponse StudyService::file(const HttpRequest& request) const {
   if (watch_ != nullptr && request.head.path == "/watch") return {.status = 200, .file = watch_->page()};
   const auto found = site_.by_path.find(request.head.path);
-  if (found == site_.by_path.end()) return error(404, "No such path.");
+  if (found == site_.by_path.end()) return error_answer(404, "No such path.");
   if (request.head.known_version == found->second->version) return {.status = 304};
   return {.status = 200, .file = found->second};
 }
 
 HttpResponse StudyService::health() const {
-  return answer({{"status", "ok"}, {"participants", participants_.load()}, {"answers", answers_.load()}});
+  return json_answer(
+      {{"status", "ok"}, {"participants", participants_.load()}, {"answers", answers_.load()}});
 }
 
 std::string StudyService::code_of(const std::string& secret) {
@@ -165,39 +100,39 @@ bool StudyService::may_ask(const HttpRequest& request, const std::string& code) 
 
 std::optional<HttpResponse> StudyService::admit(const RequestHead& head) {
   if (!is_api(head.path))
-    return head.method == "POST" ? std::optional(error(405, "Pages and files are read with GET."))
+    return head.method == "POST" ? std::optional(error_answer(405, "Pages and files are read with GET."))
                                  : std::nullopt;
-  if (head.method != method_of(head.path)) return error(405, "This path does not take this method.");
+  if (head.method != method_of(head.path)) return error_answer(405, "This path does not take this method.");
   if (head.path == "/api/enrol")
     return head.content_bytes > static_cast<std::int64_t>(most_line_bytes)
-               ? std::optional(error(413, "The body has more than 65536 bytes."))
+               ? std::optional(error_answer(413, "The body has more than 65536 bytes."))
                : std::nullopt;
   if (head.path == "/api/watch")
     return watch_ == nullptr || !watch_->is_key(head.secret) ? std::optional(no_experimenter())
                                                              : std::nullopt;
-  return code_of(head.secret).empty() ? std::optional(nobody(head.secret, anybody_was_deleted_))
+  return code_of(head.secret).empty() ? std::optional(nobody_answer(head.secret, anybody_was_deleted_))
                                       : std::nullopt;
 }
 
 std::optional<HttpResponse> StudyService::now(const HttpRequest& request) {
   const std::string& path = request.head.path;
   if (!is_api(path)) {
-    if (!may_ask(request, {})) return error(429, "Too many requests a second.");
+    if (!may_ask(request, {})) return error_answer(429, "Too many requests a second.");
     if (path == "/health") return health();
-    if (path == "/host.json") return answer({{"kind", "serve"}});
+    if (path == "/host.json") return json_answer({{"kind", "serve"}});
     return file(request);
   }
   if (path == "/api/enrol") {
     const bool newcomer =
         request.address.empty() || newcomer_rate_.allows(request.address, RateLimit::Clock::now());
-    if (!newcomer || !may_ask(request, {})) return error(429, "Too many requests a second.");
+    if (!newcomer || !may_ask(request, {})) return error_answer(429, "Too many requests a second.");
     return std::nullopt;
   }
   if (path == "/api/watch" && (watch_ == nullptr || !watch_->is_key(request.head.secret)))
     return no_experimenter();
   const std::string code = path == "/api/watch" ? "the experimenter" : code_of(request.head.secret);
-  if (code.empty()) return nobody(request.head.secret, anybody_was_deleted_);
-  if (!may_ask(request, code)) return error(429, "Too many requests a second.");
+  if (code.empty()) return nobody_answer(request.head.secret, anybody_was_deleted_);
+  if (!may_ask(request, code)) return error_answer(429, "Too many requests a second.");
   return std::nullopt;
 }
 
@@ -215,7 +150,7 @@ void StudyService::later(HttpRequest request, Reply reply) {
   if (path == "/api/end")
     return log_.add(
         [this, code](Intake&) -> HttpResponse {
-          return answer(json_of(desk_ == nullptr ? std::nullopt : desk_->end_of(code)));
+          return json_answer(json_of_end(desk_ == nullptr ? std::nullopt : desk_->end_of(code)));
         },
         std::move(reply));
   const bool next = path == "/api/next";
@@ -224,16 +159,16 @@ void StudyService::later(HttpRequest request, Reply reply) {
         try {
           if (!next) {
             const Whereabouts at = intake.where(code);
-            return answer({{"participant", at.participant},
-                           {"slot", at.slot},
-                           {"answered", at.answered},
-                           {"form_done", at.form_done},
-                           {"training_done", at.training_done},
-                           {"completed", at.completed},
-                           {"next_sequence", at.next_sequence}});
+            return json_answer({{"participant", at.participant},
+                                {"slot", at.slot},
+                                {"answered", at.answered},
+                                {"form_done", at.form_done},
+                                {"training_done", at.training_done},
+                                {"completed", at.completed},
+                                {"next_sequence", at.next_sequence}});
           }
           const std::optional<std::pair<int, Trial>> due = intake.next_trial(code);
-          if (!due) return answer({{"done", true}});
+          if (!due) return json_answer({{"done", true}});
           const std::string kind(word(due->second.kind));
           const std::string id = intake.names().name_of(due->second);
           const auto file_of = [&](const Trial& shown) {
@@ -246,7 +181,7 @@ void StudyService::later(HttpRequest request, Reply reply) {
           const std::optional<Trial> mask = intake.mask_of(due->second);
           if (mask) pictures.push_back(file_of(*mask));
           if (std::find(pictures.begin(), pictures.end(), "") != pictures.end())
-            return error(500, "The page has no such picture.");
+            return error_answer(500, "The page has no such picture.");
           Json trial = {{"trial_index", due->first},
                         {"kind", kind},
                         {"stimulus_id", id},
@@ -258,9 +193,9 @@ void StudyService::later(HttpRequest request, Reply reply) {
           if (pictures.size() > 1) trial["pictures"] = pictures;
           Json json;
           json["trial"] = std::move(trial);
-          return answer(json);
+          return json_answer(json);
         } catch (const Refusal& refusal) {
-          return error(refusal);
+          return error_answer(refusal);
         }
       },
       std::move(reply));
@@ -271,19 +206,20 @@ void StudyService::enrol(const HttpRequest& request, const Reply& reply) {
   try {
     wanted = read_enrol_request(request.body);
   } catch (const InputError& wrong) {
-    return reply(error(400, wrong.what()));
+    return reply(error_answer(400, wrong.what()));
   }
   const std::string token = wanted.token.empty() ? std::string() : sha256(wanted.token);
-  if (invitations_ == nullptr && !token.empty()) return reply(error(400, "This server asks for no token."));
+  if (invitations_ == nullptr && !token.empty())
+    return reply(error_answer(400, "This server asks for no token."));
   if (desk_ == nullptr && !wanted.identifiers.empty())
-    return reply(error(400, "The study has no [recruitment], so it takes no identifiers."));
+    return reply(error_answer(400, "The study has no [recruitment], so it takes no identifiers."));
   if (invitations_ != nullptr && !invitations_->has(token))
-    return reply(error(403, "The link has no invitation to this study."));
+    return reply(error_answer(403, "The link has no invitation to this study."));
   if (std::holds_alternative<DeclineBody>(wanted.message.body)) return decline(wanted, reply);
   if (std::get<EnrolBody>(wanted.message.body).pilot != site_.pilot)
-    return reply(error(400, "body.pilot is not what the page was exported with."));
+    return reply(error_answer(400, "body.pilot is not what the page was exported with."));
   if (participants_ >= limits_.most_participants)
-    return reply(error(503, "As many participants as there may be have begun."));
+    return reply(error_answer(503, "As many participants as there may be have begun."));
   std::string secret;
   {
     const std::shared_lock guard(secrets_lock_);
@@ -307,14 +243,14 @@ void StudyService::enrol(const HttpRequest& request, const Reply& reply) {
           // Before the commit: a code without a participant is nobody's, a participant without one is not
           // found.
           if (invitations != nullptr) invitations->note(given.token_sha256, (*enrolled)->code);
-          return answer({{"participant", (*enrolled)->code},
-                         {"slot", (*enrolled)->slot},
-                         {"secret", secret},
-                         {"next_sequence", (*enrolled)->next_sequence}});
+          return json_answer({{"participant", (*enrolled)->code},
+                              {"slot", (*enrolled)->slot},
+                              {"secret", secret},
+                              {"next_sequence", (*enrolled)->next_sequence}});
         } catch (const NoEntry& no) {
-          return error(no);
+          return error_answer(no);
         } catch (const Refusal& refusal) {
-          return error(refusal);
+          return error_answer(refusal);
         }
       },
       [this, reply, enrolled, given, secret, id = wanted.message.id](HttpResponse response) {
@@ -338,9 +274,9 @@ void StudyService::decline(const EnrolRequest& wanted, const Reply& reply) {
        desk = desk_](Intake& intake) -> HttpResponse {
         try {
           (void)intake.take(message);
-          return answer(desk == nullptr ? Json::object() : json_of(desk->decline(identifiers)));
+          return json_answer(desk == nullptr ? Json::object() : json_of_end(desk->decline(identifiers)));
         } catch (const Refusal& refusal) {
-          return error(refusal);
+          return error_answer(refusal);
         }
       },
       reply);
