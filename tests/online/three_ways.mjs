@@ -63,18 +63,11 @@ task = { kind = "yes_no" }
     tables: '[clip]\nframes = 6\nframes_per_s = 12\nplays = "once"\nquestion = "after"\n[task]\nkind = "rating"\nrepetitions = 2\n',
     scene: (text) => text.replace("position_m = [-1.7, 0.0, -4.35]", '$&\n  path = { kind = "line", to_m = [-1.5, 0.0, -4.1], speed_m_s = 0.3 }'),
   },
-  look5: {
-    file: "five",
-    levels: [64, 512],
-    size: [512, 256],
-    tables: '[look]\nkind = "mouse"\nview_px = [640, 360]\nhorizontal_fov_deg = 70\n[task]\nkind = "object"\nobjects = 5\n',
-    scene: (text) => text.replace("exposure_ev = 0.15\n", '$&\n  [scene.camera]\n  projection = "panorama"\n  position_m = [0.0, 1.5, -1.2]\n  look_at_m = [0.0, 1.0, -5.0]\n'),
-  },
   match: { references: 0, tables: '[task]\nkind = "match"\nrepetitions = 2\n' },
 };
 
 /** A small study: nothing but consent and trials, and one order for everybody. */
-function studyText(name, { file, tables, references = 2, levels = LEVELS, size = [400, 240], scene: change = (text) => text }) {
+function studyText(name, { file, tables, references = 2, levels = LEVELS, scene: change = (text) => text }) {
   const five = readFileSync(join(import.meta.dirname, "five_objects.toml"), "utf8");
   const three = readFileSync(join(import.meta.dirname, "tiny.toml"), "utf8");
   let scene = (file ? five : three).replace(/^[^]*?(?=\[\[scene\]\])/, "");
@@ -83,8 +76,8 @@ function studyText(name, { file, tables, references = 2, levels = LEVELS, size =
   const catches = references > 0 ? `[catch]\nreference = ${references}\n` : "";
   return `format = "seamline study 1"
 name = "three ways ${name}"
-width_px = ${size[0]}
-height_px = ${size[1]}
+width_px = 400
+height_px = 240
 samples_per_pixel = 2
 seed = 5
 depth_width_px = [${levels}]
@@ -164,7 +157,7 @@ async function openScreen() {
 }
 
 /** A sitting in the window, by keys. */
-async function inWindow({ display }, set, log, folder, person, deed) {
+async function inWindow({ display }, set, log, folder, person, deed, kindOf) {
   const config = join(folder, "config", "seamline");
   mkdirSync(config, { recursive: true });
   const profile = { mm_per_px: 0.25, viewing_distance_mm: 600, gamma_confirmed: true };
@@ -178,7 +171,7 @@ async function inWindow({ display }, set, log, folder, person, deed) {
   const child = spawn(program, ["study", set, "--log", log, "--participant", "p" + person, "--trace", trace], { env, stdio: "ignore" });
   const over = new Promise((resolve) => child.on("exit", resolve));
   const press = (...keys) => execFileSync("xdotool", ["key", "--delay", "40", ...keys], { env });
-  const done = new Set();
+  const pressed = new Map(); // when: what a clip that still plays does not hear is pressed again
   try {
     for (const end = Date.now() + 180000; ; await rest(20)) {
       assert.ok(Date.now() < end && child.exitCode === null, "the sitting in the window did not end");
@@ -187,9 +180,11 @@ async function inWindow({ display }, set, log, folder, person, deed) {
       if (line.screen === "thanks") break;
       if (line.screen === "consent") press("Tab", "Tab", "Return");
       if (["instructions", "ready", "break", "briefing"].includes(line.screen)) press("Return");
-      if (!["choosing", "rating"].includes(line.phase) || done.has(line.trial + line.phase)) continue;
-      done.add(line.trial + line.phase);
+      const asked = line.trial + line.phase;
+      const wait_ms = kindOf(line.trial) === "clip" ? 1000 : Infinity;
+      if (!["choosing", "rating"].includes(line.phase) || Date.now() - pressed.get(asked) < wait_ms) continue;
       await rest(120);
+      pressed.set(asked, Date.now());
       press(...keysOf(deed(line.trial), line.phase));
     }
     press("Return");
@@ -231,11 +226,15 @@ async function inBrowser(address, deed, end = async () => {}) {
   }
 }
 
-/** Ways give people different names: here they are "1", "2", ... in the order in which they took part. */
+/**
+ * Ways give people different names: here they are "1", "2", ... in the order in which they took part. How many frames of clips came late is
+ * each screen's own, and left out.
+ */
 const thresholdsOf = (log, out) => {
   run("analyze", log, "--out", out, "--bootstrap", "100");
   const names = [];
-  return readFileSync(join(out, "thresholds.json"), "utf8").replace(/("participant": )"([^"]*)"/g, (all, key, name) => {
+  const text = readFileSync(join(out, "thresholds.json"), "utf8").replace(/\s*"Of \d+ frames of clips [^"]*",?/g, "").replace(/,(\s*\])/g, "$1");
+  return text.replace(/("participant": )"([^"]*)"/g, (all, key, name) => {
     if (!names.includes(name)) names.push(name);
     return `${key}"${names.indexOf(name) + 1}"`;
   });
@@ -254,7 +253,7 @@ for (const [kind, task] of Object.entries(TASKS)) {
   run("export", "web", set, join(folder, "page-serve"), "--serve");
   run("export", "web", set, join(folder, "page-static"), "--slots", "1");
   const trials = kind === "match" ? [] : plannedTrials(set, folder, kind);
-  const alternatives = { paper: 3, object2: 2, object5: 5, look5: 5 };
+  const alternatives = { paper: 3, object2: 2, object5: 5 };
   const kindAt = (at) => task.kinds?.[trials[at].condition] ?? kind;
   const deed = (person) => (at) => deedOf(kindAt(at), alternatives[kindAt(at)] ?? 2, trials[at], person, at);
   const logs = Object.fromEntries((inFirefox ? ["window", "browser"] : ["window", "browser", "import"]).map((way) => [way, join(folder, way + ".sqlite")]));
@@ -263,7 +262,7 @@ for (const [kind, task] of Object.entries(TASKS)) {
   const saved = [];
   try {
     for (let person = 0; person < PEOPLE; ++person) {
-      await inWindow(screen, set, logs.window, folder, person, deed(person));
+      await inWindow(screen, set, logs.window, folder, person, deed(person), kindAt);
       await inBrowser(server.address, deed(person));
       if (inFirefox) continue;
       await inBrowser(host.address, deed(person), async (page) => {
