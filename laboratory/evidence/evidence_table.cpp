@@ -166,7 +166,7 @@ std::string summary_of(const SummaryColumn& column, const std::vector<std::strin
   return no_value;
 }
 
-/// A heading has none.
+/// A heading has none, but where it is the table's own ("s a 10,000 answers").
 bool has_numbers(const std::vector<std::string>& cells) {
   return std::any_of(cells.begin() + 1, cells.end(), [](const std::string& cell) {
     return cell.find_first_of("0123456789") != std::string::npos;
@@ -238,7 +238,7 @@ TextTable printed_table(const PrintedTable& table, const std::string& printed) {
   for (std::string line; std::getline(lines, line);) {
     std::vector<std::string> cells = printed_cells(line);
     if (cells.size() + 1 == table.columns.size() && table.columns.back() == "note") cells.emplace_back();
-    if (cells.size() != table.columns.size() || !has_numbers(cells)) continue;
+    if (cells.size() != table.columns.size() || cells == table.columns || !has_numbers(cells)) continue;
     if (table.last_of_a_name)
       std::erase_if(made.rows, [&](const std::vector<std::string>& row) { return row[0] == cells[0]; });
     made.rows.push_back(cells);

@@ -58,7 +58,7 @@ void answers_in_a_log(Measure& measure, const fs::path& program, const fs::path&
 }
 
 void stimuli_in_a_set(Measure& measure, const fs::path& program, const fs::path& folder) {
-  fmt::print("\n{:>8} {:>20} {:>20} {:>11} {:>22} {:>12}\n", "stimuli", "3 shards in all, s",
+  fmt::print("\n{:<8} {:>8} {:>20} {:>20} {:>11} {:>22} {:>12}\n", "set of", "stimuli", "3 shards in all, s",
              "finished rerun, s", "verify, s", "opened, 1 person, s", "memory, MB");
   for (const int widths : {28, 1667}) {
     const fs::path study = write_tiny_study(folder / fmt::format("study-{}", widths), widths, "\"none\"");
@@ -70,8 +70,8 @@ void stimuli_in_a_set(Measure& measure, const fs::path& program, const fs::path&
     const Ending verified = measure.of({program, "verify", set});
     const Ending opened =
         measure.of({program, "study", set, "--log", log, "--observer", "perfect", "--count", "1"});
-    fmt::print("{:>8} {:>20.1f} {:>20.1f} {:>11.2f} {:>22.2f} {:>12.0f}\n", 3 * widths, rendering_s,
-               Measure::seconds(again), Measure::seconds(verified), Measure::seconds(opened),
+    fmt::print("{:<8} {:>8} {:>20.1f} {:>20.1f} {:>11.2f} {:>22.2f} {:>12.0f}\n", "pictures", 3 * widths,
+               rendering_s, Measure::seconds(again), Measure::seconds(verified), Measure::seconds(opened),
                Measure::memory_mb(again));
     std::fflush(stdout);
   }

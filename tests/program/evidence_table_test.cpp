@@ -86,6 +86,9 @@ TEST(EvidenceTable, IsTakenFromWhatAStepPrinted) {
                           "fault          tries\nkill of study     12\nfull disk          3  refused\nend\n")
                 .rows,
             (Rows{{"kill of study", "12", ""}, {"full disk", "3", "refused"}}));
+  const PrintedTable own_heading{.file = "d.csv", .step = "s", .columns = {"answers", "s a 10,000 answers"}};
+  EXPECT_EQ(printed_table(own_heading, "answers  s a 10,000 answers\n  12528       4.3\n").rows,
+            (Rows{{"12528", "4.3"}}));
   const PrintedTable commas{.file = "c.csv", .step = "s", .columns = {"form", "x"}};
   EXPECT_EQ(printed_table(commas, "form,x\nnormal,0.5\n").rows, (Rows{{"normal", "0.5"}}));
 }
