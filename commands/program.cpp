@@ -10,6 +10,7 @@
 #include "commands/answers/gathering_command.h"
 #include "commands/answers/log_command.h"
 #include "commands/demo.h"
+#include "commands/depth_cameras/animate_command.h"
 #include "commands/depth_cameras/calibrate_command.h"
 #include "commands/depth_cameras/live_command.h"
 #include "commands/depth_cameras/record_command.h"
@@ -113,7 +114,8 @@ std::vector<CommandGroup> command_groups(bool& any_case_failed) {
       {"Depth cameras",
        {registration::add_register_command, registration::add_calibrate_command, renderer::add_sense_command,
         live::add_record_command, [shown](CLI::App& app) { live::add_live_command(app, shown.of_live); },
-        renderer::add_settle_command, renderer::add_relight_command, renderer::add_workbench_commands}},
+        renderer::add_settle_command, renderer::add_relight_command, sensors::add_animate_command,
+        renderer::add_workbench_commands}},
       {"Evidence", {[&any_case_failed](CLI::App& app) { add_lab(app, any_case_failed); }}}};
 }
 

@@ -103,6 +103,7 @@ const std::map<std::string, std::string> short_ways = {
      "--background {in}/photograph.exr --depth {in}/depth.exr --object builtin:teapot --position 0 -1 -3 "
      "--fov 60 --to-sun 1 1 0.5 --sun-irradiance 8 8 7 --environment 0.5 0.5 0.6 --spp 1 --out {out}.png"},
     {"picture", "builtin:statue --environment 1 1 1 --width 16 --height 9 --spp 1 --out {out}.png"},
+    {"animate", "--help"},
     {"flip", "{in}/photograph.exr {in}/photograph.exr"},
     {"study", "{set} --observer perfect --count 1 --log {out}.sqlite"},
     {"log status", "{log}"},

@@ -127,7 +127,23 @@ const std::vector<std::pair<std::string, std::string>> commands = {
     {"settle", ""},     {"relight", ""},       {"record", ""},          {"live", ""},
     {"export web", ""}, {"export tables", ""}, {"export x3d", ""},      {"lab person", ""},
     {"lab scenes", ""}, {"lab field", ""},     {"import", ""},          {"merge", ""},
-    {"freeze", ""},     {"flip", ""}};
+    {"freeze", ""},     {"flip", ""},          {"animate", ""}};
+
+/// A figure of one node, and where it was in 400 moments.
+std::vector<std::string> recorded_figure(const fs::path& folder) {
+  const std::string text = R"({"asset":{"version":"2.0"},"nodes":[{"name":"body"}]} )";
+  const auto word = [](std::size_t number) {
+    std::string bytes;
+    for (int i = 0; i < 4; ++i) bytes += static_cast<char>(number >> (8 * i) & 255U);
+    return bytes;
+  };
+  test::write_text(folder / "figure.glb",
+                   "glTF" + word(2) + word(20 + text.size()) + word(text.size()) + "JSON" + text);
+  std::string rows = "time_s,joint,x_m,y_m,z_m\n";
+  for (int i = 0; i < 400; ++i) rows += std::to_string(i) + ",body,0,1,0\n";
+  test::write_text(folder / "joints.csv", rows);
+  return {(folder / "figure.glb").string(), (folder / "joints.csv").string()};
+}
 
 std::vector<std::string> arguments_of(const std::string& command, const std::string& what) {
   const Work& at = work();
@@ -229,6 +245,11 @@ std::vector<std::string> arguments_of(const std::string& command, const std::str
   if (command == "views")
     return {at.frame.string(), "--max-depth", "5",     "--fov", "60", "--zero-parallax", "2",
             "--views",         "8",           "--out", out};
+  if (command == "animate") {
+    std::vector<std::string> words = recorded_figure(at.folder);
+    words.insert(words.end(), {"--out", out + ".glb"});
+    return words;
+  }
   if (command == "flip") return {at.photograph.string(), at.photograph.string()};
   if (command == "freeze")
     return {quick, "--studies", "1000000", "--estimator", "straight-lines", "--out", out + ".json"};
