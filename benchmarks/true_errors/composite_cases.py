@@ -7,7 +7,7 @@ from scene_cases import CAMERA, CLOSED, OPEN, WHITE, gloss, lying_panel
 
 SUN = ["--to-sun", "0.5,1,0.3", "--sun-irradiance", "6,5.5,5"]
 SKY = ["--environment", "0.3,0.35,0.45"]
-VIEW = ["--position", "0,-1.199,-2.3", "--view", "64x36", "--look-at", "0,-0.3,-1", "--fov", "60"]
+VIEW = ["--position", "0,-1.199,-2.3", "--look-at", "0,-0.3,-1", "--fov", "60"]
 LIT_ROOM = CLOSED + [(lying_panel(0, 2.98, -1.5, 0.6), {"emits": (6, 6, 5.5)})]
 SMALL_LAMP = CLOSED + [(lying_panel(0.6, 2.5, -1.5, 0.05), {"emits": (700, 650, 600)})]
 
@@ -15,6 +15,7 @@ SMALL_LAMP = CLOSED + [(lying_panel(0.6, 2.5, -1.5, 0.05), {"emits": (700, 650, 
 class CompositeCase:
     def __init__(self, name, room, photographed, light, more=(), object_parts=None):
         self.name, self.room, self.photographed, self.light, self.more = "composite_" + name, room, photographed, light, list(more)
+        self.size = (64, 36)
         self.object_parts = object_parts or [(ball(0.35, (0, 0.351, 0)), WHITE)]
 
     def prepare(self, program, folder, run):
@@ -29,7 +30,7 @@ class CompositeCase:
         return None
 
     def command(self, program, out, estimator, seed, samples):
-        return [program, "composite", "--background", "photograph.exr", "--depth", "depth.exr", "--object", "object.gltf", "--out", out, "--estimator", estimator, "--seed", str(seed), "--threads", "1"] + VIEW + self.light + self.more + samples
+        return [program, "composite", "--background", "photograph.exr", "--depth", "depth.exr", "--object", "object.gltf", "--out", out, "--estimator", estimator, "--seed", str(seed), "--threads", "1", "--view", f"{self.size[0]}x{self.size[1]}"] + VIEW + self.light + self.more + samples
 
     @staticmethod
     def told(lines):

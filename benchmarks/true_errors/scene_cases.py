@@ -58,12 +58,13 @@ def sun_texel(strength):
 class Case:
     """One stimulus: a room, what it is lit by, an object, and what the depth map answers."""
 
-    def __init__(self, name, room=OPEN, object_parts=None, light=None, artifact="receiver", scene=None, study="", tables="", camera=CAMERA, size=(64, 36), width=128, same_seed=False, truth_times=1, object_number=1, map=None, pattern=None, **keys):
+    def __init__(self, name, room=OPEN, object_parts=None, light=None, artifact="receiver", scene=None, study="", tables="", camera=CAMERA, size=(64, 36), width=128, same_seed=False, truth_times=1, object_number=1, map=None, pattern=None, listed=None, **keys):
         self.name, self.room, self.camera, self.object_number, self.map = name, room, camera, object_number, map
         self.object_parts = object_parts or [(ball(0.35, (0, 0.351, 0)), WHITE)]
         self.artifact, self.study, self.tables, self.size, self.width, self.same_seed, self.truth_times = artifact, study, tables, size, width, same_seed, truth_times
         self.scene = {"bounces": "4", "albedo": "0.5", "materials": '"gltf"', "exposure_ev": "0"} | (light or DAY) | (scene or {}) | keys
         self.pattern = pattern or f"{name}-{artifact}-o{object_number}-*"
+        self.listed = listed or self.pattern  # as the set's manifest calls it
 
     def write(self, folder, seed):
         """The study file's path."""
@@ -116,13 +117,13 @@ def cases():
         Case("lamp_near_floor", light={"environment_radiance": "[0.05, 0.05, 0.05]", "suns": "[]"}, lamps=lamps((0.0, 0.75, -1.3, 2), (0.95, 0.61, -2.7, 0.3))),
         Case("lamp_near_wall", light=NIGHT, lamps=lamps((1.2, 1.2, -3.97, 1.5))),
         Case("lamp_near_wall_closed", room=CLOSED, light=NIGHT, lamps=lamps((2.95, 1.4, -2.5, 2))),
-        Case("lamp_in_closed_room", room=CLOSED, light=NIGHT, lamps=lamps((0.5, 2.4, -1.0, 6))),
-        Case("spot", room=CLOSED, light=NIGHT, lamps="[{position_m = [0, 2.8, -1], intensity_w_sr = [12, 12, 11], shines_along = [0.2, -1, -0.2], outer_deg = 25, inner_deg = 15}]"),
+        Case("lamp_in_closed_room", truth_times=2, room=CLOSED, light=NIGHT, lamps=lamps((0.5, 2.4, -1.0, 6))),
+        Case("spot", truth_times=2, room=CLOSED, light=NIGHT, lamps="[{position_m = [0, 2.8, -1], intensity_w_sr = [12, 12, 11], shines_along = [0.2, -1, -0.2], outer_deg = 25, inner_deg = 15}]"),
         Case("lamps_64", room=CLOSED, light=NIGHT, lamps=lamps(*[(-2.6 + 0.74 * i, 2.7, -3.6 + 0.85 * j, 0.25) for i in range(8) for j in range(8)])),
-        Case("panel", room=CLOSED + [(lying_panel(0, 2.98, -1.5, 0.6), {"emits": (6, 6, 5.5)})], light=NIGHT),
+        Case("panel", truth_times=2, room=CLOSED + [(lying_panel(0, 2.98, -1.5, 0.6), {"emits": (6, 6, 5.5)})], light=NIGHT),
         Case("panel_small", room=CLOSED + [(lying_panel(0, 2.9, -1.5, 0.03), {"emits": (2000, 1900, 1700)})], light=NIGHT),
         Case("thing_that_glows", object_parts=box_lamp, light=GREY, artifact="all"),
-        Case("thing_that_glows_closed", room=CLOSED, object_parts=[(ball(0.35, (0, 0.351, 0)), {"emits": (8, 7, 6)})], light={"environment_radiance": "[0, 0, 0]", "suns": "[]"}, lamps=lamps((-1.5, 2.5, -2, 2)), artifact="bounce"),
+        Case("thing_that_glows_closed", truth_times=2, room=CLOSED, object_parts=[(ball(0.35, (0, 0.351, 0)), {"emits": (8, 7, 6)})], light={"environment_radiance": "[0, 0, 0]", "suns": "[]"}, lamps=lamps((-1.5, 2.5, -2, 2)), artifact="bounce"),
         Case("sky_map", light={"environment": '"builtin:clear_sky"', "suns": "[]"}, exposure_ev="-1"),
         Case("map_sun_texel", light={"environment": '"map.hdr"', "suns": "[]"}, map=sun_texel(600)),
         Case("map_sun_texel_strong", truth_times=4, light={"environment": '"map.hdr"', "suns": "[]"}, map=sun_texel(20000), exposure_ev="-5"),
@@ -140,12 +141,12 @@ def cases():
         Case("mask_overlap", study='isolation = "mask"', artifact="overlap", width=64),
         Case("mask_receiver_closed", study='isolation = "mask"', room=CLOSED, light=NIGHT, lamps=lamps((0.5, 2.4, -1.0, 6)), width=64),
         Case("mask_occlusion", study='isolation = "mask"', room=OPEN + [(box([-0.25, 0, -0.8], [0.1, 0.6, -0.6]), RED)], artifact="occlusion", width=64),
-        Case("matte", artifact="overlap", tables='[mitigation]\nshadow = "matte"\nmatte_width_px = 512\n', room=OPEN + [(box([-0.5, 0, -2.6], [0.4, 1.2, -2.3]), RED)]),
+        Case("matte", truth_times=2, artifact="overlap", tables='[mitigation]\nshadow = "matte"\nmatte_width_px = 512\n', room=OPEN + [(box([-0.5, 0, -2.6], [0.4, 1.2, -2.3]), RED)]),
         Case("occlusion_mask", artifact="occlusion", tables='[mitigation]\nocclusion = "mask"\nmask_width_px = 512\n', room=OPEN + [(box([-0.25, 0, -0.8], [0.1, 0.6, -0.6]), RED)]),
         Case("panorama", size=(128, 64), camera=([0, 1.2, 1.0], 0.8), artifact="all", tables="[look]\nview_px = [64, 64]\nhorizontal_fov_deg = 60\n", scene={"camera": 'projection = "panorama"\nposition_m = [0, 1.2, 1.0]\nlook_at_m = [0, 1.0, -4]'}),
         Case("anaglyph", artifact="all", tables='[view]\nkind = "anaglyph"\nzero_parallax_m = 2.5\n'),
         Case("side_by_side", artifact="all", tables='[view]\nkind = "side_by_side"\nzero_parallax_m = 2.5\n'),
-        Case("clip", artifact="shadow", scene={"path": ""}, tables='[clip]\nframes = 2\nframes_per_s = 4\n', pattern="clip-shadow-o1@000-*"),
+        Case("clip", artifact="shadow", scene={"path": ""}, tables='[clip]\nframes = 2\nframes_per_s = 4\n', pattern="clip-shadow-o1@*", listed="clip-shadow-o1-*"),
         Case("ambient_occlusion", light={"environment_radiance": "[1, 1, 1]"}, artifact="all", ambient_occlusion="true", ao_distance_m="1.5"),
         Case("photograph_albedo", artifact="bounce", study='mesh_albedo = "photograph"'),
         Case("soft_sun", light={"environment_radiance": "[0.3, 0.35, 0.45]", "suns": "[{to_sun = [0.5, 1, 0.3], irradiance_w_m2 = [6, 5.5, 5], angular_radius_deg = 6}]"}, artifact="all"),
