@@ -89,7 +89,8 @@ PartTables tables_of(const EstimateResult& result) {
 void draw_figure(const EstimateResult& result, const FigureText& text) {
   const std::vector<PlotPanel> panels = {estimate_panel(result, text, Against::amount),
                                          estimate_panel(result, text, Against::seconds)};
-  draw_svg(text.svg, panels_width_px(panels.size()), panels_height_px, panels_script(text.subject, panels));
+  draw_svg(text.svg, panels_width_px(panels.size()), panels_height_px,
+           panels_script(text.subject + "; the truth is " + result.truth, panels));
 }
 
 }  // namespace seamline::renderer

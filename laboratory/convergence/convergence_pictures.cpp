@@ -81,6 +81,16 @@ EstimateResult measure_mitigation(const ConvergenceSubject& subject) {
   return result;
 }
 
+namespace {
+
+std::string series_name(const FilterStrength& filter) {
+  if (filter.levels == 0) return "no filter";
+  return fmt::format("{} level{}, reach 1/{:g}", filter.levels, filter.levels == 1 ? "" : "s",
+                     filter.reach_divisor);
+}
+
+}  // namespace
+
 EstimateResult measure_filter(const ConvergenceSubject& subject) {
   constexpr int fewest_spp = 4, most_spp = 64, reference_spp = 1024;
   EstimateResult result{
@@ -115,10 +125,9 @@ EstimateResult measure_filter(const ConvergenceSubject& subject) {
       const Image picture =
           reference_image(truth_sums(sums, scene.camera, scene.light, subject.stimulus.object_index,
                                      {.filter = filter, .threads = subject.threads}));
-      result.rows.push_back(
-          {filter.levels == 0 ? "no filter" : fmt::format("filter of {} levels", filter.levels),
-           static_cast<double>(spp), sampled - before + processor_seconds_of_pictures() - filters,
-           display_rmse(picture, reference, subject.exposure_ev())});
+      result.rows.push_back({series_name(filter), static_cast<double>(spp),
+                             sampled - before + processor_seconds_of_pictures() - filters,
+                             display_rmse(picture, reference, subject.exposure_ev())});
     }
     progress.advance(1, "samples");
   }
