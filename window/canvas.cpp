@@ -164,12 +164,23 @@ void Canvas::picture(const Texture& texture, const Rect& rect) {
 }
 
 void Canvas::text(Font font, Point top_left, std::string_view text, Colour colour, double wrap_px) {
+  draw(font, top_left, text, colour, wrap_px, std::nullopt);
+}
+
+void Canvas::text_in(Font font, Point top_left, std::string_view text, Colour colour, double wrap_px,
+                     double share) {
+  draw(font, top_left, text, colour, wrap_px, share);
+}
+
+void Canvas::draw(Font font, Point top_left, std::string_view text, Colour colour, double wrap_px,
+                  std::optional<double> share) {
   constexpr int most_width_px = 8192;  // that every graphics memory has as a texture
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   State::KeptText& kept = state_->text(font, text, wrap_px);
   for (std::size_t i = 0; i < kept.textures.size(); ++i) {
     const TextLine& line = kept.arranged.lines[i];
-    const double x_px = std::round(top_left.x_px) + line.left_px,
+    const double left_in_room_px = share ? std::round(*share * (wrap_px - line.width_px)) : line.left_px;
+    const double x_px = std::round(top_left.x_px) + left_in_room_px,
                  y_px = std::round(top_left.y_px + line.top_px);
     const double far_px = 2 * largest_shape_em * size_px(font);
     if (y_px > static_cast<double>(screen.y) + far_px || y_px < -far_px) continue;

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -39,6 +40,9 @@ class Canvas {
   /// Text from its top left corner, broken into lines of at most `wrap_px` (0: not broken). Of languages that
   /// run from right to left, lines stand at the right of `wrap_px`.
   void text(Font font, Point top_left, std::string_view text, Colour colour, double wrap_px = 0);
+  /// The same in a room of `wrap_px`, in which each line stands at `share` of what it leaves: 0 left, 0.5 in
+  /// the middle, 1 right.
+  void text_in(Font font, Point top_left, std::string_view text, Colour colour, double wrap_px, double share);
   [[nodiscard]] Size measure(Font font, std::string_view text, double wrap_px = 0) const;
   [[nodiscard]] double size_px(Font font) const;
   /// Whether pages are laid out from right to left.
@@ -49,6 +53,9 @@ class Canvas {
 
  private:
   struct State;
+  void draw(Font font, Point top_left, std::string_view text, Colour colour, double wrap_px,
+            std::optional<double> share);
+
   std::unique_ptr<State> state_;
 };
 

@@ -1,10 +1,11 @@
 #include "stimuli/pictures/panorama_view.h"
-#include "support/arithmetic/bilinear.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "support/arithmetic/bilinear.h"
 
 namespace seamline::inline stimuli {
 namespace {

@@ -41,7 +41,7 @@ TEST(ObjectsFile, IsReadAsItWasWrittenAndRefusesWhatItDoesNotKnow) {
   EXPECT_TRUE(unplaced.objects.at(0).stands);
   EXPECT_THAT(said("[[object]]\nfile = \"none.glb\"\nposition_m = [0, 0, 0]\n"), HasSubstr("none.glb"));
   EXPECT_THAT(said(""), HasSubstr("[[object]]"));
-  EXPECT_THAT(said("albedo = 0.3\n" + object), HasSubstr("albedo"));
+  EXPECT_THAT(said("albedo = 0.3\n" + object), HasSubstr("albedo, which the composite is asked with"));
   const ObjectsFile lit =
       parse_objects_file("suns = [{ to_sun = [0, 1, 0], irradiance_w_m2 = [1, 1, 1] }]\n" + object, path, {});
   EXPECT_TRUE(lit.has_light);

@@ -1,9 +1,10 @@
 #include "analysis/report/text/joint_text.h"
-#include "support/text/request_name.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
+
+#include "support/text/request_name.h"
 
 namespace seamline::analysis {
 

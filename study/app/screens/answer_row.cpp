@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "window/look.h"
 
@@ -113,20 +112,6 @@ void move_slider(Stage& stage, const Rect& line) {
   if (input.mouse_released) drafts.slider_held = false;
 }
 
-/// The label in lines of at most `wrap_px`, broken at spaces; a longer word has a line of its own.
-std::vector<std::string> label_lines(const Stage& stage, const std::string& label, double wrap_px) {
-  std::vector<std::string> lines;
-  std::istringstream words(label);
-  for (std::string word; words >> word;) {
-    const std::string longer = lines.empty() ? word : lines.back() + " " + word;
-    if (!lines.empty() && stage.canvas().measure(Font::small, longer).width_px <= wrap_px)
-      lines.back() = longer;
-    else
-      lines.push_back(word);
-  }
-  return lines;
-}
-
 /// Each label in the middle of its part of the line; two labels at its ends.
 void draw_slider_labels(Stage& stage, const Rect& line, double bottom_px,
                         const std::vector<std::string>& labels) {
@@ -135,16 +120,14 @@ void draw_slider_labels(Stage& stage, const Rect& line, double bottom_px,
   for (std::size_t i = 0; i < labels.size(); ++i) {
     double along = (static_cast<double>(i) + 0.5) / count;
     if (stage.canvas().right_to_left()) along = 1 - along;
-    const std::vector<std::string> lines = label_lines(stage, labels[i], wrap_px);
-    double y_px = bottom_px;
-    for (std::size_t last = lines.size(); last-- > 0;) {
-      const Size size = stage.canvas().measure(Font::small, lines[last]);
-      double x_px = line.x_px + along * line.width_px - size.width_px / 2;
-      if (labels.size() == 2) x_px = along < 0.5 ? line.x_px : line.right_px() - size.width_px;
-      y_px -= size.height_px;
-      stage.canvas().text(Font::small, {std::round(x_px), std::round(y_px)}, lines[last],
-                          look::ink_on_background);
+    const double height_px = stage.canvas().measure(Font::small, labels[i], wrap_px).height_px;
+    double left_px = line.x_px + along * line.width_px - wrap_px / 2, share = 0.5;
+    if (labels.size() == 2) {
+      share = along < 0.5 ? 0 : 1;
+      left_px = line.x_px + share * (line.width_px - wrap_px);
     }
+    stage.canvas().text_in(Font::small, {left_px, std::round(bottom_px - height_px)}, labels[i],
+                           look::ink_on_background, wrap_px, share);
   }
 }
 
