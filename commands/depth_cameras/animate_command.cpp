@@ -47,6 +47,7 @@ void run_animate(const AnimateOptions& options) {
   std::vector<Gesture> gestures;
   if (!options.gestures.empty()) gestures = read_gestures(options.gestures, motion.joints);
   FigureFile figure(options.figure);
+  figure.need_place_of(options.out);
   const FigureMotion moved = move_figure(figure, motion);
   figure.add_animation(options.name, motion.times_s, moved.nodes);
   write_file_atomically(options.out, figure.bytes());
@@ -56,8 +57,10 @@ void run_animate(const AnimateOptions& options) {
   fmt::print("{}: animation \"{}\", {} joints, {} moments from {:.2f} to {:.2f} s\n", printable(options.out),
              printable(options.name), motion.joints.size(), motion.times_s.size(), motion.times_s.front(),
              motion.times_s.back());
-  fmt::print("joints turned so are {:.1f} mm from the recorded ones (RMS), {:.1f} mm in the worst moment\n",
-             1000 * std::sqrt(square / static_cast<double>(moved.rms_m.size())), 1000 * most_m);
+  fmt::print(
+      "its joints, on its own bones, are {:.1f} mm from the recorded ones (RMS), "
+      "{:.1f} mm in the worst moment\n",
+      1000 * std::sqrt(square / static_cast<double>(moved.rms_m.size())), 1000 * most_m);
   for (const Gesture& gesture : gestures) print_gesture(gesture, moved, motion.times_s);
 }
 

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <tuple>
 #include <utility>
 
 #include "support/files/atomic_file.h"
@@ -89,8 +90,12 @@ FigureFile::FigureFile(const std::filesystem::path& path) : file_(path.string())
     const std::uint32_t kind = word_at(bytes, at + 4);
     at += chunk_header_bytes;
     if (size > bytes.size() - at) throw bad("a file that was cut off");
-    if (kind == json_chunk && text.empty()) text = bytes.substr(at, size);
-    if (kind == binary_chunk && binary_.empty()) binary_ = bytes.substr(at, size);
+    if (kind == json_chunk && text.empty())
+      text = bytes.substr(at, size);
+    else if (kind == binary_chunk && binary_.empty())
+      binary_ = bytes.substr(at, size);
+    else
+      other_chunks_ += bytes.substr(at - chunk_header_bytes, chunk_header_bytes + size);
     at += size;
   }
   int depth = 0;
@@ -103,8 +108,9 @@ FigureFile::FigureFile(const std::filesystem::path& path) : file_(path.string())
       },
       false);
   if (!json_.is_object()) throw bad("JSON that cannot be read");
-  if (!binary_.empty() && !(json_.contains("buffers") && json_["buffers"].is_array() &&
-                            !json_["buffers"].empty() && json_["buffers"][0].is_object()))
+  if (!binary_.empty() &&
+      !(json_.contains("buffers") && json_["buffers"].is_array() && !json_["buffers"].empty() &&
+        json_["buffers"][0].is_object() && !json_["buffers"][0].contains("uri")))
     throw bad("bytes that no buffer names");
   read_nodes();
 }
@@ -130,23 +136,41 @@ void FigureFile::read_nodes() {
       of_child.parent = static_cast<int>(i);
     }
   }
-  // Parents first: a node waits for its parent, and nobody is left but those that go round in a circle.
-  std::vector<char> placed(nodes_.size(), 0);
-  for (std::size_t done = 0; done < nodes_.size();) {
-    const std::size_t before = done;
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      FigureNode& node = nodes_[i];
-      if (placed[i] != 0 || (node.parent >= 0 && placed[static_cast<std::size_t>(node.parent)] == 0))
-        continue;
-      const auto [own, turned] = own_transform(nodes[i], file_, fmt::format("nodes[{}]", i));
-      node.world = own, node.turned = turned;
-      if (node.parent >= 0) {
-        const FigureNode& parent = nodes_[static_cast<std::size_t>(node.parent)];
-        node.world = parent.world * own, node.turned = parent.turned * turned;
-      }
-      placed[i] = 1, ++done;
+  // Parents first: from the roots all are reached but those that go round in a circle.
+  std::vector<std::vector<std::size_t>> children(nodes_.size());
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+    (nodes_[i].parent < 0 ? order : children[static_cast<std::size_t>(nodes_[i].parent)]).push_back(i);
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    FigureNode& node = nodes_[order[k]];
+    std::tie(node.own, node.turned) =
+        own_transform(nodes[order[k]], file_, fmt::format("nodes[{}]", order[k]));
+    node.world = node.own;
+    if (node.parent >= 0) {
+      const FigureNode& parent = nodes_[static_cast<std::size_t>(node.parent)];
+      node.world = parent.world * node.own, node.turned = parent.turned * node.turned;
     }
-    if (done == before) throw bad("nodes", "no node that is its own ancestor", "one");
+    order.insert(order.end(), children[order[k]].begin(), children[order[k]].end());
+  }
+  if (order.size() < nodes_.size()) throw bad("nodes", "no node that is its own ancestor", "one");
+}
+
+void FigureFile::need_place_of(const std::filesystem::path& out) const {
+  const auto folder = [](const std::filesystem::path& file) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(file).parent_path());
+  };
+  if (folder(file_) == folder(out)) return;
+  for (const char* list : {"buffers", "images"}) {
+    if (!json_.contains(list)) continue;
+    for (const Json& one : json_[list]) {
+      if (!one.is_object() || !one.contains("uri") || !one["uri"].is_string()) continue;
+      const auto uri = one["uri"].get<std::string>();
+      if (uri.find(':') >= uri.find('/'))  // no "data:" or "https:" before its folders
+        throw input_error({.file = file_,
+                           .field = list,
+                           .wanted = "no files beside it, because the new file is in another folder",
+                           .found = "\"" + uri + "\""});
+    }
   }
 }
 
@@ -170,6 +194,14 @@ int FigureFile::add_numbers(const std::vector<float>& numbers, const char* type,
 
 void FigureFile::add_animation(const std::string& name, const std::vector<double>& times_s,
                                const std::vector<NodeMotion>& motions) {
+  if (!is_utf8(name)) throw input_error({.field = "the animation's name", .wanted = "UTF-8", .found = name});
+  const std::vector<float> keys_s(times_s.begin(), times_s.end());
+  const bool rise = std::adjacent_find(keys_s.begin(), keys_s.end(),
+                                       [](float one, float next) { return !(next > one); }) == keys_s.end();
+  if (!rise || keys_s.empty() || !(keys_s.front() >= 0))
+    throw input_error({.field = "the animation's times",
+                       .wanted = "times from 0 s that rise in 32 bits",
+                       .found = "others"});
   for (const char* list : {"buffers", "bufferViews", "accessors", "animations"}) {
     Json& table = json_[list];
     if (table.is_null()) table = Json::array();
@@ -185,9 +217,15 @@ void FigureFile::add_animation(const std::string& name, const std::vector<double
   Json& buffers = json_["buffers"];
   if (binary_.empty()) buffers.insert(buffers.begin(), Json::object());
   if (binary_.empty())
-    for (Json& view : json_["bufferViews"])
-      if (view.contains("buffer")) view["buffer"] = view["buffer"].get<int>() + 1;
-  const int input = add_numbers({times_s.begin(), times_s.end()}, "SCALAR", 1);
+    for (Json& view : json_["bufferViews"]) {
+      if (!view.is_object() || !view.contains("buffer") || !view["buffer"].is_number_unsigned())
+        throw input_error({.file = file_,
+                           .field = "bufferViews",
+                           .wanted = "the number of a buffer in each",
+                           .found = "something else"});
+      view["buffer"] = view["buffer"].get<std::uint64_t>() + 1;
+    }
+  const int input = add_numbers(keys_s, "SCALAR", 1);
   Json channels = Json::array(), samplers = Json::array();
   const auto move = [&](int node, const char* path, const std::vector<float>& numbers, const char* type,
                         std::size_t parts) {
@@ -218,6 +256,7 @@ std::string FigureFile::bytes() const {
   std::string chunks;
   put_chunk(json_chunk, json_.dump(), ' ', chunks);
   if (!binary_.empty()) put_chunk(binary_chunk, binary_, '\0', chunks);
+  chunks += other_chunks_;
   std::string out;
   put_word(magic, out);
   put_word(2, out);

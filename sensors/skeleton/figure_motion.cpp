@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "support/files/toml_table.h"
 #include "support/running/interrupt.h"
@@ -27,7 +28,23 @@ struct RecordedRig {
   Skeleton skeleton;
   std::vector<int> nodes;             ///< of each of its joints
   std::vector<std::size_t> recorded;  ///< which recorded joint it is
+  /// Of a joint whose bones all lie along one line: that line, at rest. What it turns about the line moves
+  /// none of its bones, so recorded places do not tell it.
+  std::vector<std::optional<Eigen::Vector3d>> lines;
+  std::vector<Eigen::Affine3d> above;  ///< of its node's parent, in the node of the joint that holds it
 };
+
+std::optional<Eigen::Vector3d> line_of_bones(const Skeleton& skeleton, std::size_t joint) {
+  constexpr double least_sine = 1e-3;
+  std::optional<Eigen::Vector3d> line;
+  for (const Joint& other : skeleton.joints) {
+    if (other.parent != static_cast<int>(joint) || !(other.offset_m.norm() > 0)) continue;
+    const Eigen::Vector3d bone = other.offset_m.normalized();
+    if (line && line->cross(bone).norm() > least_sine) return std::nullopt;
+    line = line.value_or(bone);
+  }
+  return line;
+}
 
 /// Of a node: how many are above it.
 int depth_of(const std::vector<FigureNode>& nodes, int node) {
@@ -79,8 +96,16 @@ RecordedRig recorded_rig(const FigureFile& figure, const RecordedMotion& motion)
     place[static_cast<std::size_t>(node)] = static_cast<int>(rig.nodes.size());
     rig.nodes.push_back(node);
     rig.recorded.push_back(j);
+    const int parent = nodes[static_cast<std::size_t>(node)].parent;
+    rig.above.push_back(parent < 0 ? Eigen::Affine3d::Identity()
+                                   : nodes[static_cast<std::size_t>(parent)].world);
+    if (joint.parent >= 0) {
+      const int holder = rig.nodes[static_cast<std::size_t>(joint.parent)];
+      rig.above.back() = nodes[static_cast<std::size_t>(holder)].world.inverse() * rig.above.back();
+    }
     rig.skeleton.joints.push_back(joint);
   }
+  for (std::size_t i = 0; i < rig.nodes.size(); ++i) rig.lines.push_back(line_of_bones(rig.skeleton, i));
   return rig;
 }
 
@@ -108,14 +133,38 @@ SkeletonPose turned_as_one(const Skeleton& skeleton, const MeasuredJoints& measu
   return pose;
 }
 
-double turned_deg(const RecordedRig& rig, std::size_t joint, const Eigen::Matrix3d& turned) {
-  const Eigen::Vector3d* bone_m = nullptr;
-  std::size_t bones = 0;
-  for (const Joint& other : rig.skeleton.joints)
-    if (other.parent == static_cast<int>(joint)) bone_m = &other.offset_m, ++bones;
-  if (bones != 1) return degrees * Eigen::AngleAxisd(turned).angle();
-  const Eigen::Vector3d now_m = turned * *bone_m;
-  return degrees * std::atan2(bone_m->cross(now_m).norm(), bone_m->dot(now_m));
+/// Bones as long as they were seen last, as long as the figure's until then.
+void take_bones(const Skeleton& figure, const MeasuredJoints& measured_m, Skeleton& recorded) {
+  const Skeleton now = with_bones_of(figure, measured_m);
+  for (std::size_t i = 1; i < now.joints.size(); ++i)
+    if (measured_m[i] && measured_m[static_cast<std::size_t>(now.joints[i].parent)])
+      recorded.joints[i].offset_m = now.joints[i].offset_m;
+}
+
+/// Which joints have one behind them that was seen.
+std::vector<char> seen_behind(const Skeleton& skeleton, const MeasuredJoints& measured_m) {
+  std::vector<char> seen(measured_m.size(), 0);
+  for (std::size_t i = seen.size() - 1; i > 0; --i)
+    if (measured_m[i] || seen[i] != 0) seen[static_cast<std::size_t>(skeleton.joints[i].parent)] = 1;
+  return seen;
+}
+
+/// How far each joint is turned against the one that holds it. It keeps that where nothing behind it was
+/// seen, and where its bones lie along a line it is the shortest turn that brings them there.
+void take_turns(const RecordedRig& rig, const std::vector<PlacedJoint>& placed, const std::vector<char>& seen,
+                std::vector<Eigen::Matrix3d>& turns) {
+  std::vector<Eigen::Matrix3d> world;
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    const int parent = rig.skeleton.joints[i].parent;
+    const Eigen::Matrix3d before =
+        parent < 0 ? Eigen::Matrix3d::Identity() : world[static_cast<std::size_t>(parent)];
+    const Eigen::Matrix3d found = before.transpose() * placed[i].orientation;
+    if (seen[i] != 0 && rig.lines[i])
+      turns[i] = Eigen::Quaterniond::FromTwoVectors(*rig.lines[i], found * *rig.lines[i]).toRotationMatrix();
+    else if (seen[i] != 0)
+      turns[i] = found;
+    world.emplace_back(before * turns[i]);
+  }
 }
 
 }  // namespace
@@ -127,30 +176,40 @@ FigureMotion move_figure(const FigureFile& figure, const RecordedMotion& motion)
   out.nodes.resize(motion.joints.size());
   out.turned_deg.resize(motion.joints.size());
   SkeletonPose pose;
+  Skeleton recorded = rig.skeleton;
+  std::vector<Eigen::Matrix3d> turns(joints, Eigen::Matrix3d::Identity());
   for (std::size_t t = 0; t < motion.times_s.size(); ++t) {
     stop_if_interrupted();
     MeasuredJoints measured_m;
     for (const std::size_t j : rig.recorded) measured_m.push_back(motion.places_m[t][j]);
-    const Skeleton recorded = with_bones_of(rig.skeleton, measured_m);
-    const FittedPose fitted =
-        fit_pose(recorded, measured_m, t == 0 ? turned_as_one(recorded, measured_m) : pose);
-    pose = fitted.pose;
-    out.rms_m.push_back(fitted.rms_m);
-    const std::vector<PlacedJoint> placed = place_joints(recorded, pose);
+    take_bones(rig.skeleton, measured_m, recorded);
+    pose = fit_pose(recorded, measured_m, t == 0 ? turned_as_one(recorded, measured_m) : pose).pose;
+    take_turns(rig, place_joints(recorded, pose), seen_behind(recorded, measured_m), turns);
+    std::vector<Eigen::Affine3d> world;  // of each joint's node, as the file will have it
+    double square_m2 = 0, count = 0;
     for (std::size_t i = 0; i < joints; ++i) {
       const FigureNode& node = figure.nodes()[static_cast<std::size_t>(rig.nodes[i])];
       const FigureNode above =
           node.parent < 0 ? FigureNode{} : figure.nodes()[static_cast<std::size_t>(node.parent)];
       NodeMotion& moved = out.nodes[rig.recorded[i]];
       moved.node = rig.nodes[i];
-      const Eigen::Matrix3d turned = placed[i].before.transpose() * placed[i].orientation;
-      out.turned_deg[rig.recorded[i]].push_back(turned_deg(rig, i, turned));
-      if (i == 0) moved.translations_m.push_back(above.world.inverse() * placed[i].position_m);
+      out.turned_deg[rig.recorded[i]].push_back(degrees * Eigen::AngleAxisd(turns[i]).angle());
+      Eigen::Affine3d own = node.own;
+      if (i == 0) {
+        own.translation() = above.world.inverse() * pose.root_m;
+        moved.translations_m.emplace_back(own.translation());
+      }
+      const Eigen::Quaterniond at_rest = above.turned.conjugate() * node.turned;
+      Eigen::Quaterniond turned = above.turned.conjugate() * Eigen::Quaterniond(turns[i]) * node.turned;
+      own.linear() = (turned * at_rest.conjugate()).toRotationMatrix() * node.own.linear();
+      world.push_back(rig.above[i] * own);
+      if (i > 0) world[i] = world[static_cast<std::size_t>(recorded.joints[i].parent)] * world[i];
+      if (measured_m[i]) square_m2 += (world[i].translation() - *measured_m[i]).squaredNorm(), ++count;
       if (recorded.joints[i].hinges.empty()) continue;
-      Eigen::Quaterniond own = above.turned.conjugate() * Eigen::Quaterniond(turned) * node.turned;
-      if (!moved.rotations.empty() && moved.rotations.back().dot(own) < 0) own.coeffs() *= -1;
-      moved.rotations.push_back(own.normalized());
+      if (!moved.rotations.empty() && moved.rotations.back().dot(turned) < 0) turned.coeffs() *= -1;
+      moved.rotations.push_back(turned.normalized());
     }
+    out.rms_m.push_back(std::sqrt(square_m2 / count));
   }
   return out;
 }

@@ -11,14 +11,18 @@ namespace seamline::sensors {
 struct FigureMotion {
   std::vector<NodeMotion> nodes;  ///< of each recorded joint
   /// Of each joint and moment: how far it is turned from the figure's rest, against the joint that holds it,
-  /// 0 to 180 degrees; of a joint with one bone behind it without what it turns about that.
+  /// 0 to 180 degrees.
   std::vector<std::vector<double>> turned_deg;
-  std::vector<double> rms_m;  ///< of each moment: distance of found and recorded joints
+  /// Of each moment: distance of the recorded joints that were seen and those of the figure that is written,
+  /// whose bones keep their own lengths.
+  std::vector<double> rms_m;
 };
 
 /// The joints by least squares (`fit_pose`, three hinges a joint, each moment from the one before), with
-/// bones as long as they were recorded. Recorded names are those of nodes, of which one holds all the others.
-/// A joint that was not seen in a moment hangs on the others. Throws InputError naming the joint.
+/// bones as long as they were recorded last. Recorded names are those of nodes, of which one holds all the
+/// others. Joints do not tell what turns about a bone: a joint whose bones lie along a line makes the
+/// shortest turn from the figure's rest. A joint that was not seen in a moment hangs on the others, and one
+/// with nothing seen behind it keeps its turn. Throws InputError naming the joint.
 [[nodiscard]] FigureMotion move_figure(const FigureFile& figure, const RecordedMotion& motion);
 
 /// A named range of angles: as long as every joint is turned so far.

@@ -16,6 +16,7 @@ namespace {
 
 const std::array<std::string, 5> motion_columns = {"time_s", "joint", "x_m", "y_m", "z_m"};
 constexpr std::size_t most_joints = 200, most_moments = 100'000;
+constexpr double longest_s = 3.2e8;  // ten years
 
 Eigen::Vector3d place_at(const CsvRow& row) {
   Eigen::Vector3d place_m;
@@ -33,18 +34,26 @@ Eigen::Vector3d place_at(const CsvRow& row) {
 RecordedMotion read_recorded_motion(const std::filesystem::path& path) {
   RecordedMotion motion;
   const std::string file = path.string();
+  double first_s = 0, last_s = 0;
   read_csv(file, read_file(path, limits::largest_csv_bytes), motion_columns, [&](const CsvRow& row) {
-    const double time_s = number_at(row, 0);
-    if (motion.times_s.empty() || time_s > motion.times_s.back()) {
+    const double now_s = number_at(row, 0);
+    if (motion.times_s.empty()) first_s = now_s;
+    const double time_s = now_s - first_s;
+    if (!(time_s <= longest_s)) throw complaint_about(row, 0, "at most ten years", row.values[0]);
+    if (motion.times_s.empty() || now_s > last_s) {
       if (motion.times_s.size() == most_moments)
         throw complaint_about(row, 0, fmt::format("at most {} moments", most_moments), "more");
+      if (!motion.times_s.empty() && static_cast<float>(time_s) <= static_cast<float>(motion.times_s.back()))
+        throw complaint_about(
+            row, 0, fmt::format("a time that 32 bits, counted from {} s, tell from {} s", first_s, last_s),
+            row.values[0]);
       motion.times_s.push_back(time_s);
       motion.places_m.emplace_back(motion.joints.size());
-    } else if (time_s < motion.times_s.back()) {
-      throw complaint_about(row, 0,
-                            fmt::format("no time before {} s, that of the row before", motion.times_s.back()),
+    } else if (now_s < last_s) {
+      throw complaint_about(row, 0, fmt::format("no time before {} s, that of the row before", last_s),
                             row.values[0]);
     }
+    last_s = now_s;
     const auto found = std::find(motion.joints.begin(), motion.joints.end(), row.values[1]);
     const auto joint = static_cast<std::size_t>(found - motion.joints.begin());
     if (found == motion.joints.end()) {
