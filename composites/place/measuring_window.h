@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "composites/photo_view.h"
-#include "composites/place_request.h"
+#include "composites/place/place_request.h"
 
 namespace seamline::place {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "composites/place_request.h"
+#include "composites/place/place_request.h"
 
 namespace seamline::place {
 

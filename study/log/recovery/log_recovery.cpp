@@ -227,10 +227,10 @@ void check_whole_study(SQLite::Database& database, const fs::path& damaged) {
   if (database.execAndGet("SELECT count(*) FROM study").getInt() == 1 &&
       database.execAndGet("SELECT count(*) FROM stimuli").getInt() > 0)
     return;
-  throw input_error(
-      {.file = damaged.string(),
-       .wanted = "a log whose study can still be read (or its set: " + request_name("set") + " SET)",
-       .found = "none"});
+  throw input_error({.file = damaged.string(),
+                     .wanted = fmt::format("a log whose study can still be read (or its set: {} FOLDER)",
+                                           request_name("set")),
+                     .found = "none"});
 }
 
 }  // namespace
