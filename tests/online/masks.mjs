@@ -90,7 +90,8 @@ try {
   const ofDriver = (error) => inFirefox && /Content-Security-Policy.*inline style/.test(String(error));
   page.on("pageerror", (error) => ofDriver(error) || assert.fail(String(error)));
   await page.goto(server.address + (server.address.includes("?") ? "&" : "?") + "lang=de");
-  const kindOf = () => page.evaluate(() => { const { trials, pace } = globalThis.seamline.visit.session; return pace.tasks[trials.order[trials.answered].task].kind; });
+  // Of the trial that was seen: the page may have gone on since, past the last one.
+  const kindOf = (trial) => page.evaluate((trial) => { const { trials, pace } = globalThis.seamline.visit.session; return pace.tasks[trials.order[trial].task].kind; }, trial);
   const looked = new Set();
   await actUntil(page, ["thanks"], {
     patience_ms: 300000,
@@ -104,7 +105,7 @@ try {
         await keep(page, "block-" + briefed.length);
       }
       if (seen.screen !== "trial" || given.has(seen.answered) || looked.has(seen.answered + seen.phase)) return;
-      const kind = await kindOf();
+      const kind = await kindOf(seen.answered);
       if (["interval", "yes_no"].includes(kind) && seenMasks[kind] < 3 && ["awaiting", "viewing", "choosing"].includes(seen.phase) && !looked.has(seen.answered)) {
         looked.add(seen.answered);
         const place = await (await maskSeen(page)).jsonValue();
