@@ -30,16 +30,6 @@ std::optional<Artifact> artifact_from_word(std::string_view text) {
   return std::nullopt;
 }
 
-std::string_view word(Isolation isolation) {
-  switch (isolation) {
-    case Isolation::query:
-      return "query";
-    case Isolation::mask:
-      return "mask";
-  }
-  return {};
-}
-
 std::optional<Isolation> isolation_from_word(std::string_view text) {
   for (const Isolation isolation : {Isolation::query, Isolation::mask})
     if (word(isolation) == text) return isolation;

@@ -10,6 +10,14 @@ inline constexpr std::array<std::string_view, 2> words_of<MaterialModel> = {"dif
 
 [[nodiscard]] std::string fault_of_cone(const LampDefinition& lamp);
 
+/// Names of scenes and objects become parts of file names.
+template <class Named>
+[[nodiscard]] std::string fault_of_name(const Named& named) {
+  const bool is_plain =
+      named.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
+  return is_plain ? "" : "lower-case letters, digits and _ (it becomes part of file names)";
+}
+
 inline constexpr NumberRange any_place{-limits::farthest_place_m, limits::farthest_place_m, "m"};
 inline constexpr NumberRange any_turn{-360, 360, "degrees"};
 
@@ -77,9 +85,21 @@ inline constexpr auto settings_of<LampDefinition> = std::to_array<Setting<LampDe
      .fault = fault_of_cone},
 });
 
+inline constexpr std::array<std::string_view, 2> words_of_projection = {"perspective", "panorama"};
+
 /// `[scene.camera]`.
 template <>
 inline constexpr auto settings_of<CameraDefinition> = std::to_array<Setting<CameraDefinition>>({
+    {.key = "projection",
+     .slot = Described{"text"},
+     .meaning = "A panorama shows all directions; it needs `width_px` = 2 `height_px`, a multiple of 64, in "
+                "all scenes, and [`[look]`](#look-how-people-look-at-panoramas). Its middle column looks "
+                "whither the camera does, its middle row is the horizon. No `horizontal_fov_deg` then.",
+     .changes = Changes::truth,
+     .of_condition = false,
+     .is_read_apart = true,
+     .form = R"(`"perspective"`, `"panorama"`)",
+     .usual = "`\"perspective\"`"},
     {.key = "position_m",
      .slot = &CameraDefinition::position_m,
      .range = any_place,
@@ -108,16 +128,15 @@ inline constexpr auto settings_of<ObjectDefinition> = std::to_array<Setting<Obje
      .meaning = "Unique in its scene; part of stimulus ids.",
      .wording = {.before = "object "},
      .changes = Changes::truth,
-     .is_read_apart = true,
-     .required = "a name",
+     .fault = fault_of_name<ObjectDefinition>,
+     .required = "a text in quotes",
      .form = "`a-z`, `0-9`, `_`"},
     {.key = "file",
      .slot = &ObjectDefinition::file,
      .meaning = "`builtin:statue`, `teapot`, `creature`, `beast`, `lion`, `dragon`.",
      .wording = {.before = " "},
      .changes = Changes::truth,
-     .is_read_apart = true,
-     .required = "a file",
+     .required = "a text in quotes",
      .form = "glTF 2.0, or built in"},
     {.key = "position_m",
      .slot = &ObjectDefinition::position_m,
@@ -141,6 +160,18 @@ inline constexpr auto settings_of<ObjectDefinition> = std::to_array<Setting<Obje
      .slot = &ObjectDefinition::exempt_from_shape_rules,
      .meaning = "[`check`](scene_rules.md) leaves out its area and silhouette.",
      .changes = Changes::presentation},
+    {.key = "path",
+     .slot = Described{"table"},
+     .meaning = "How it moves in a [clip](#clip-things-that-move).",
+     .changes = Changes::truth,
+     .of_condition = false,
+     .usual = "none"},
+    {.key = "animation",
+     .slot = Described{"table"},
+     .meaning = "What of its file plays in a [clip](#clip-things-that-move).",
+     .changes = Changes::truth,
+     .of_condition = false,
+     .usual = "none"},
     {.key = "rest",
      .slot = &ObjectDefinition::rest,
      .meaning = "Lets it down until it [stands on the scene](../how-to/settling.md). Needs Bullet.",
@@ -181,8 +212,69 @@ inline constexpr auto settings_of<EnvironmentDefinition> = std::to_array<Setting
 /// Light, surfaces and exposure of a scene: of `[[scene]]`, and of a `[[condition]]` for all scenes.
 template <>
 inline constexpr auto settings_of<SceneDefinition> = std::to_array<Setting<SceneDefinition>>({
-    {.key = "", .slot = &SceneDefinition::name, .wording = {.before = "scene "}},
-    {.key = "", .slot = &SceneDefinition::file, .wording = {.before = " "}},
+    {.key = "name",
+     .slot = &SceneDefinition::name,
+     .meaning = "Part of stimulus ids.",
+     .wording = {.before = "scene "},
+     .changes = Changes::truth,
+     .of_condition = false,
+     .is_read_apart = true,
+     .fault = fault_of_name<SceneDefinition>,
+     .required = "a text in quotes",
+     .form = "`a-z`, `0-9`, `_`"},
+    {.key = "file",
+     .slot = &SceneDefinition::file,
+     .meaning = "`builtin:bedroom`, `gazebo`, `atrium`, `furnished_room`, `painted_room`, `loft`, "
+                "`loft_open`.",
+     .wording = {.before = " "},
+     .changes = Changes::truth,
+     .of_condition = false,
+     .is_read_apart = true,
+     .required = "a text in quotes",
+     .form = "glTF 2.0, or built in"},
+    {.key = "artifacts",
+     .slot = Described{"list of texts"},
+     .meaning = "[Artifacts](../explanation/seams.md#four-kinds-of-seam) that are shown in this scene. "
+                "`reflection` needs glossy objects.",
+     .of_condition = false,
+     .is_read_apart = true,
+     .form =
+         R"(`"receiver"`, `"shadow"`, `"occlusion"`, `"overlap"`, `"bounce"`, `"reflection"`, `"all"`, `"none"`)",
+     .usual = "required"},
+    {.key = "suns",
+     .slot = Described{"list of tables"},
+     .meaning = "Suns, with the keys of `[scene.sun]`.",
+     .changes = Changes::truth,
+     .is_read_apart = true,
+     .usual = "the file's"},
+    {.key = "lamps",
+     .slot = Described{"list of tables"},
+     .meaning = "Lamps without size, see below.",
+     .changes = Changes::truth,
+     .is_read_apart = true,
+     .usual = "the file's"},
+    {.key = "sun",
+     .slot = Described{"table"},
+     .meaning = "`[scene.sun]`.",
+     .changes = Changes::truth,
+     .of_condition = false,
+     .is_read_apart = true,
+     .usual = "the file's"},
+    {.key = "camera",
+     .slot = Described{"table"},
+     .meaning = "`[scene.camera]`.",
+     .changes = Changes::truth,
+     .of_condition = false,
+     .is_read_apart = true,
+     .usual = "the file's first"},
+    {.key = "object",
+     .slot = Described{"three tables"},
+     .meaning = "`[[scene.object]]`: left, middle, right. Another number where "
+                "[`task.objects`](#task-what-a-trial-asks) says so.",
+     .changes = Changes::truth,
+     .of_condition = false,
+     .is_read_apart = true,
+     .usual = "required"},
     {.key = "environment_radiance",
      .slot = &SceneDefinition::environment_radiance,
      .range = {0, limits::strongest_light, "W/m2/sr"},

@@ -180,8 +180,6 @@ StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& fol
   check_format(table);
   StudyDefinition study;
   study.file = path;
-  study.name = table.text("name");
-  study.isolation = read_isolation(table, study.isolation);
   read_settings(table, study);
   study.level = read_level(table);
   std::shared_ptr<ClipDefinition> clip;

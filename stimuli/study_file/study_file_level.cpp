@@ -171,16 +171,6 @@ void read_depth_keys(const TomlTable& table, const LevelDefinition& level, Depth
                           fmt::format("{}", depth.yaw_texels));
 }
 
-std::string read_condition_name(const TomlTable& table) {
-  std::string name = table.text("name");
-  if (name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != std::string::npos ||
-      name.size() > 60)
-    throw table.complaint("name",
-                          "at most 60 lower-case letters, digits and _ (it becomes part of file names)",
-                          "\"" + name + "\"");
-  return name;
-}
-
 /// Two conditions of one meaning would be asked about twice.
 std::string meaning(const ConditionDefinition& condition, const StudyDefinition& study) {
   std::string text =
@@ -196,13 +186,11 @@ std::string meaning(const ConditionDefinition& condition, const StudyDefinition&
 
 ConditionDefinition read_condition(const TomlTable& table, const StudyDefinition& study,
                                    const AssetFolders& folders, AssetCheck assets, DepthClock* clock) {
-  ConditionDefinition condition{.name = read_condition_name(table),
-                                .isolation = read_isolation(table, study.isolation),
-                                .depth = study.depth,
-                                .scenes = study.scenes};
+  ConditionDefinition condition{
+      .name = {}, .isolation = study.isolation, .depth = study.depth, .scenes = study.scenes};
+  read_settings(table, condition);
   condition.look = read_look(table, study.look);
   condition.task = read_task_of_condition(table, study);
-  condition.instructions = table.text("instructions", "");
   refuse_level_keys(table, study.level);
   condition.depth.chain = read_depth_chain(table, study.depth.chain, study.level, study.seed, clock);
   if (has_sensor(study.depth) && !has_sensor(condition.depth) && !table.has("depth_width_px"))
@@ -242,13 +230,6 @@ LevelDefinition read_level(const TomlTable& study) {
   table->finish();
   refuse_level_keys(study, level);
   return level;
-}
-
-Isolation read_isolation(const TomlTable& table, Isolation fallback) {
-  const std::string text = table.text("isolation", std::string(word(fallback)));
-  const std::optional<Isolation> isolation = isolation_from_word(text);
-  if (!isolation) throw table.complaint("isolation", "\"query\" or \"mask\"", "\"" + text + "\"");
-  return *isolation;
 }
 
 DepthSettings read_depth(const TomlTable& study, const LevelDefinition& level, std::uint64_t seed,

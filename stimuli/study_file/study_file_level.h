@@ -12,9 +12,6 @@ struct DepthClock;
 /// commonest one.
 [[nodiscard]] LevelDefinition read_level(const TomlTable& study);
 
-/// `isolation`, where the table has it.
-[[nodiscard]] Isolation read_isolation(const TomlTable& table, Isolation fallback);
-
 /// The depth settings of the study itself, besides what is the level; `seed` is that of the noise, `clock`
 /// is null of stills.
 [[nodiscard]] DepthSettings read_depth(const TomlTable& study, const LevelDefinition& level,

@@ -1,9 +1,8 @@
 #include "stimuli/study_file/study_file_people.h"
 
-#include <array>
 #include <set>
 
-#include "stimuli/settings/people/recruitment_settings.h"
+#include "stimuli/settings/people/form_settings.h"
 #include "stimuli/settings/people/session_settings.h"
 #include "stimuli/settings/read_settings.h"
 #include "stimuli/study_file/people/study_file_language.h"
@@ -19,36 +18,24 @@ ConsentDefinition read_consent(const TomlTable& table) {
   return consent;
 }
 
-NumberField read_number_field(const TomlTable& table) {
-  NumberField number;
+void read_field(const TomlTable& table, NumberField& number) {
   read_settings(table, number);
   if (number.least > number.most)
     throw table.complaint("most", fmt::format("at least {}", number.least), fmt::format("{}", number.most));
-  return number;
 }
 
-ChoiceField read_choice_field(const TomlTable& table) {
-  ChoiceField choice{table.texts("options")};
+void read_field(const TomlTable& table, ChoiceField& choice) {
+  read_settings(table, choice);
   const std::set<std::string> different(choice.options.begin(), choice.options.end());
   if (choice.options.size() < 2 || different.size() != choice.options.size() || different.contains(""))
     throw table.complaint("options", "at least two texts that differ",
                           fmt::format("{}, {} of them different", choice.options.size(), different.size()));
-  return choice;
 }
 
 FormField read_form_field(const TomlTable& table) {
   FormField field;
-  field.name = table.text("name");
-  if (field.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != std::string::npos)
-    throw table.complaint("name", "lower-case letters, digits and _", "\"" + field.name + "\"");
-  field.label = table.text("label");
-  field.required = table.boolean("required", true);
-  constexpr std::array<std::string_view, 2> kinds = {"number", "choice"};
-  if (!table.has("kind")) throw table.complaint("kind", words_text(kinds), "nothing");
-  if (read_word(table, "kind", kinds) == 0)
-    field.kind = read_number_field(table);
-  else
-    field.kind = read_choice_field(table);
+  read_settings(table, field);
+  std::visit([&](auto& kind) { read_field(table, kind); }, field.kind);
   table.finish();
   return field;
 }
@@ -71,8 +58,7 @@ std::vector<InstructionPage> read_instructions(const TomlTable& table) {
   std::vector<InstructionPage> pages;
   for (const TomlTable& page : table.tables("page")) {
     InstructionPage read;
-    if (page.has("pictures")) read.pictures = page.texts("pictures");
-    read.text = page.text("text", "");
+    read_settings(page, read);
     page.finish();
     if (read.text.empty() && read.pictures.empty())
       throw page.complaint("text", "a text, or pictures", "neither");

@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <set>
 
@@ -16,22 +15,9 @@
 namespace seamline::inline stimuli {
 namespace {
 
-std::string read_name(const TomlTable& table) {
-  const std::string name = table.text("name");
-  for (const char c : name)
-    if (!(std::islower(static_cast<unsigned char>(c)) || std::isdigit(static_cast<unsigned char>(c)) ||
-          c == '_'))
-      throw table.complaint("name", "lower-case letters, digits and _ (it becomes part of file names)",
-                            "\"" + name + "\"");
-  return name;
-}
-
 ObjectDefinition read_object(const TomlTable& table, const AssetFolders& folders, AssetCheck assets) {
   ObjectDefinition object;
-  object.name = read_name(table);
-  object.file = table.text("file");
   read_settings(table, object);
-  for (const char* read_apart : {"path", "animation"}) static_cast<void>(table.has(read_apart));
   table.finish();
   object.path = find_asset(table, "file", object.file, folders, assets);
   return object;
@@ -39,10 +25,7 @@ ObjectDefinition read_object(const TomlTable& table, const AssetFolders& folders
 
 /// Whether it is a panorama.
 bool read_projection(const TomlTable& table) {
-  const std::string text = table.text("projection", "perspective");
-  if (text != "perspective" && text != "panorama")
-    throw table.complaint("projection", "\"perspective\" or \"panorama\"", "\"" + text + "\"");
-  return text == "panorama";
+  return table.has("projection") && read_word(table, "projection", words_of_projection) == 1;
 }
 
 void read_path(const TomlTable& table, const ObjectDefinition& object, const std::string& scene,
@@ -115,8 +98,7 @@ std::vector<Artifact> read_artifacts(const TomlTable& table) {
 SceneDefinition read_scene(const TomlTable& table, const AssetFolders& folders, AssetCheck assets,
                            Quantity level, ClipDefinition* clip, int objects) {
   SceneDefinition scene;
-  scene.name = read_name(table);
-  scene.file = table.text("file");
+  for (const char* key : {"name", "file"}) read_setting(table, key, scene);
   scene.artifacts = read_artifacts(table);
   read_light(table, folders, assets, scene);
   if (const auto sun = table.table("sun")) {

@@ -40,6 +40,15 @@ void add_matches(const std::string& text, const std::regex& expression, std::set
     if (!(*it)[1].str().ends_with('_')) keys.insert((*it)[1]);
 }
 
+/// Keys of the rows of settings.
+std::set<std::string> keys_of_rows() {
+  std::set<std::string> keys;
+  for (const auto& entry : fs::recursive_directory_iterator(source_folder() / "stimuli/settings"))
+    if (entry.is_regular_file())
+      add_matches(test::read_text(entry.path()), std::regex("[.]key = \"([a-z0-9_]+)\""), keys);
+  return keys;
+}
+
 /// Keys in the code of the reader: those of the rows of settings, and the first text that a function of a
 /// table is given, and lists of keys.
 std::set<std::string> keys_of_the_reader() {
@@ -47,15 +56,12 @@ std::set<std::string> keys_of_the_reader() {
       R"re((?:\.|->)(?:has|is_text|number|integer|long_integer|boolean|text|triple|integers|numbers|texts|table|tables)\(\s*"([a-z0-9_]+)")re"),
       helped(
           R"re((?:number|read_word|read_setting|read_range|read_layer|read_even_width|read_limits|read_direction|both)\(\s*(?:\*?[a-z_]+, )?"([a-z0-9_]+)")re");
-  std::set<std::string> keys;
+  std::set<std::string> keys = keys_of_rows();
   for (const auto& entry : fs::recursive_directory_iterator(source_folder() / "stimuli/study_file")) {
     if (entry.path().extension() != ".cpp" || entry.path().filename() == "carried_texts.cpp") continue;
     const std::string text = test::read_text(entry.path());
     for (const std::regex& expression : {asked, helped}) add_matches(text, expression, keys);
   }
-  for (const auto& entry : fs::recursive_directory_iterator(source_folder() / "stimuli/settings"))
-    if (entry.is_regular_file())
-      add_matches(test::read_text(entry.path()), std::regex("[.]key = \"([a-z0-9_]+)\""), keys);
   for (const PhraseEntry& phrase : every_phrase()) keys.insert(std::string(phrase.key));
   for (const Quantity quantity : every_quantity) keys.insert(std::string(facts(quantity).key));
   return keys;
@@ -89,6 +95,23 @@ TEST(Reference, TablesOfSettingsAreThoseOfTheReader) {
   EXPECT_EQ(page, with_settings_tables(page)) << "copy manual/study_file.md of the build folder";
   EXPECT_EQ(test::complaint_of([] { (void)with_settings_tables("<!-- settings nonsense -->\n"); }),
             "<!-- settings nonsense -->: wanted the name of a table, found nonsense");
+}
+
+/// A value that code reads without a row has no row on the page, and nobody suggests it. These are no value
+/// of one member: a source, noise that may be "none", and the parameters of QUEST+'s grid.
+TEST(Reference, EveryValueThatIsReadHasARow) {
+  const std::regex value(
+      R"re((?:\.|->)(?:is_text|number|integer|long_integer|boolean|text|triple|integers|numbers|texts)\(\s*"([a-z0-9_]+)")re");
+  const std::set<std::string> rows = keys_of_rows(), without = {"source", "noise", "count", "weights"};
+  std::set<std::string> read, missing;
+  for (const auto& entry : fs::recursive_directory_iterator(source_folder() / "stimuli/study_file"))
+    if (entry.path().extension() == ".cpp" && entry.path().filename() != "carried_texts.cpp" &&
+        entry.path().filename() != "texts_reader.cpp")  // files of texts are no study files
+      add_matches(test::read_text(entry.path()), value, read);
+  EXPECT_GE(read.size(), 25U);
+  for (const std::string& key : read)
+    if (!rows.contains(key)) missing.insert(key);
+  EXPECT_EQ(missing, without);
 }
 
 TEST(Reference, TheStudyFilesPageHasEveryKeyThatIsReadAndNoOther) {

@@ -9,13 +9,28 @@ inline constexpr std::array<std::string_view, 2> words_of_noticeability = {"fall
 [[nodiscard]] std::string midpoints_text(const ObserverDefinition& observer);
 [[nodiscard]] bool has_no_midpoints(const ObserverDefinition& observer);
 
-/// `[level]`, beside its quantity and values.
+/// `[level]`.
 template <>
 inline constexpr auto settings_of<LevelDefinition> = std::to_array<Setting<LevelDefinition>>({
+    {.key = "quantity",
+     .slot = Described{"text"},
+     .meaning = "What varies. It is set nowhere else.",
+     .of_condition = false,
+     .is_read_apart = true,
+     .form = "a key of the next table",
+     .usual = "required"},
+    {.key = "values",
+     .slot = Described{"list of numbers"},
+     .meaning = "The levels, each once. They become part of stimulus ids, so they must differ in the id's "
+                "decimals.",
+     .of_condition = false,
+     .is_read_apart = true,
+     .form = "see next table",
+     .usual = "required"},
     {.key = "noticeability",
      .slot = one_of<&LevelDefinition::noticeability, Direction::decreasing, Direction::increasing>(
          words_of_noticeability),
-     .meaning = "Whether more or less is noticed as the level grows.",
+     .meaning = "Whether noticeability falls or rises as the level grows.",
      .changes = Changes::presentation,
      .of_condition = false,
      .usual = "the quantity's"},

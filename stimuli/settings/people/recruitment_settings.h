@@ -1,5 +1,5 @@
 #pragma once
-#include "stimuli/definition/people/language_definition.h"
+#include "stimuli/definition/people/recruitment_definition.h"
 #include "stimuli/settings/settings_text.h"
 
 namespace seamline::inline stimuli {
@@ -71,28 +71,6 @@ inline constexpr auto settings_of<QuotaDefinition> = std::to_array<Setting<Quota
      .changes = Changes::presentation,
      .of_condition = false,
      .required = "how many people"},
-});
-
-/// `[[form_field]]` of numbers.
-template <>
-inline constexpr auto settings_of<NumberField> = std::to_array<Setting<NumberField>>({
-    {.key = "least",
-     .slot = &NumberField::least,
-     .range = {-1e9, 1e9},
-     .meaning = "Smallest number.",
-     .changes = Changes::presentation,
-     .of_condition = false},
-    {.key = "most",
-     .slot = &NumberField::most,
-     .range = {-1e9, 1e9},
-     .meaning = "Largest number.",
-     .changes = Changes::presentation,
-     .of_condition = false},
-    {.key = "whole",
-     .slot = &NumberField::whole,
-     .meaning = "Whole numbers only.",
-     .changes = Changes::presentation,
-     .of_condition = false},
 });
 
 }  // namespace seamline::inline stimuli

@@ -9,6 +9,8 @@
 #include "stimuli/settings/look_settings.h"
 #include "stimuli/settings/mitigation_settings.h"
 #include "stimuli/settings/people/analysis_settings.h"
+#include "stimuli/settings/people/form_settings.h"
+#include "stimuli/settings/people/language_settings.h"
 #include "stimuli/settings/people/procedure_settings.h"
 #include "stimuli/settings/people/recruitment_settings.h"
 #include "stimuli/settings/people/session_settings.h"
@@ -196,6 +198,26 @@ std::string path_table() {
   return table.text();
 }
 
+/// What participants are told and asked.
+std::string people_table() {
+  Table table("in");
+  table.add<ConsentDefinition>("`consent`");
+  table.add<FormField>("`form_field`");
+  table.add<NumberField>("`form_field`, number");
+  table.add<ChoiceField>("`form_field`, choice");
+  table.add<InstructionPage>("`instructions.page`");
+  table.add<TrainingDefinition>("`training`");
+  return table.text();
+}
+
+std::string recruitment_table() {
+  Table table("in");
+  table.add<RecruitmentDefinition>("`recruitment`");
+  table.add<FormRule>("`screen`, `quota`");
+  table.add<QuotaDefinition>("`quota`");
+  return table.text();
+}
+
 std::string table_named(const std::string& name) {
   if (name == "study") return table_of<StudyDefinition, DepthSettings>();
   if (name == "depth")
@@ -222,12 +244,13 @@ std::string table_named(const std::string& name) {
   if (name == "staircase") return table_of<StaircaseDefinition>();
   if (name == "quest_plus") return table_of<QuestPlusDefinition>();
   if (name == "observer") return table_of<ObserverDefinition>();
-  if (name == "recruitment") return table_of<RecruitmentDefinition>();
+  if (name == "condition") return table_of<ConditionDefinition>();
+  if (name == "people") return people_table();
+  if (name == "recruitment") return recruitment_table();
+  if (name == "language") return table_of<LanguageDefinition>();
   if (name == "analysis") return table_of<AnalysisDefinition>();
   if (name == "catch") return table_of<CatchDefinition>();
-  if (name == "consent") return table_of<ConsentDefinition>();
   if (name == "analysis.clip") return table_of<LateFrames>();
-  if (name == "training") return table_of<TrainingDefinition>();
   throw input_error(
       {.field = "<!-- settings " + name + " -->", .wanted = "the name of a table", .found = name});
 }

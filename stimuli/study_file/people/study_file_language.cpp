@@ -7,7 +7,9 @@
 #include <set>
 
 #include "stimuli/definition/parts/task_definition.h"
+#include "stimuli/settings/people/language_settings.h"
 #include "stimuli/settings/people/session_settings.h"
+#include "stimuli/settings/read_settings.h"
 #include "stimuli/study_file/people/study_file_recruitment.h"
 #include "stimuli/study_file/people/texts_reader.h"
 #include "support/files/assets.h"
@@ -70,7 +72,8 @@ std::shared_ptr<const LanguageDefinitions> read_languages(const TomlTable& study
   LanguageDefinitions read;
   std::set<std::string> tags = {own};
   for (const TomlTable& table : study.tables("language")) {
-    LanguageDefinition language{.tag = table.text("tag"), .texts = {}};
+    LanguageDefinition language;
+    read_settings(table, language);
     if (!is_language_tag(language.tag) || !tags.insert(language.tag).second)
       throw table.complaint(
           "tag",
@@ -79,8 +82,7 @@ std::shared_ptr<const LanguageDefinitions> read_languages(const TomlTable& study
     if (table.is_text("texts"))
       language.texts = {table.text("texts")};
     else
-      language.texts = table.texts("texts");
-    language.font = table.text("font", "");
+      read_setting(table, "texts", language);
     for (const std::string& file : language.texts)
       if (!is_builtin_texts(file) && !is_written_below(file))
         throw table.complaint("texts", "builtin:TAG, or a file beside the study file or in a folder below it",

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <set>
 
+#include "stimuli/settings/people/form_settings.h"
 #include "stimuli/settings/people/recruitment_settings.h"
 #include "stimuli/settings/read_settings.h"
 #include "support/text/pattern.h"
@@ -23,19 +24,20 @@ void check_no_field_is_unknown(const TomlTable& table, const std::string& key, c
 }
 
 FormRule read_form_rule(const TomlTable& table, std::span<const FormField> form) {
-  FormRule rule{.field = table.text("field")};
+  FormRule rule;
+  read_setting(table, "field", rule);
   check_no_field_is_unknown(table, "field", rule.field, form);
   const FormField& field =
       *std::find_if(form.begin(), form.end(), [&](const FormField& one) { return one.name == rule.field; });
   if (const auto* choice = std::get_if<ChoiceField>(&field.kind)) {
-    rule.answers = table.texts("answers");
+    read_setting(table, "answers", rule);
     for (const std::string& answer : rule.answers)
       if (std::find(choice->options.begin(), choice->options.end(), answer) == choice->options.end())
         throw table.complaint("answers", "options of the field \"" + rule.field + "\"", "\"" + answer + "\"");
     return rule;
   }
-  if (table.has("least")) rule.least = table.number("least", 0, {-1e9, 1e9});
-  if (table.has("most")) rule.most = table.number("most", 0, {-1e9, 1e9});
+  read_setting(table, "least", rule);
+  read_setting(table, "most", rule);
   if (!rule.least && !rule.most)
     throw table.complaint("least", "least, most or both, since the field is a number", "neither");
   if (rule.least && rule.most && *rule.least > *rule.most)
