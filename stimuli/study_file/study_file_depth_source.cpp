@@ -11,10 +11,10 @@
 #include "sensors/rig/presets.h"
 #include "stimuli/definition/methods/depth_file_names.h"
 #include "stimuli/settings/depth_settings.h"
+#include "stimuli/settings/noise_settings.h"
 #include "stimuli/settings/read_settings.h"
 #include "stimuli/study_file/parts/study_file_camera.h"
 #include "stimuli/study_file/parts/study_file_estimate.h"
-#include "stimuli/study_file/study_file_noise.h"
 #include "support/running/overloaded.h"
 #include "support/text/suggest.h"
 
@@ -45,6 +45,31 @@ void take_model(const sensors::NoiseModel& model, sensors::SensorRange& range, S
       noise.model);
   if (auto* light = std::get_if<sensors::StructuredLightNoise>(&noise.model))
     light->focal_px = sensors::StructuredLightNoise{}.focal_px;
+}
+
+/// `noise` of a source: "none", or a table over the source's usual noise; another `model` begins anew.
+/// Throws InputError for parameters without a model, and those that it does not have.
+std::optional<SourceNoise> read_noise(const TomlTable& source, const std::optional<SourceNoise>& usual) {
+  if (!source.has("noise")) return usual;
+  if (source.is_text("noise")) {
+    if (source.text("noise") != "none")
+      throw source.complaint("noise", "\"none\", or a table with a model",
+                             "\"" + source.text("noise") + "\"");
+    return std::nullopt;
+  }
+  const TomlTable table = *source.table("noise");
+  SourceNoise noise = usual.value_or(SourceNoise{});
+  if (!usual && !table.has("model"))
+    throw table.complaint("model", words_text(words_of<sensors::NoiseModel>), "nothing");
+  read_settings(table, noise);
+  std::visit(
+      [&](auto& model) {
+        read_settings(table, model);
+        read_settings(table, model.outliers);
+      },
+      noise.model);
+  table.finish();
+  return noise;
 }
 
 const sensors::SensorPreset& read_preset(const TomlTable& table) {
