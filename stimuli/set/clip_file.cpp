@@ -32,7 +32,7 @@ InputError no_clip(const std::filesystem::path& path, const std::string& found) 
       {.file = path.string(), .wanted = "a clip as `seamline render` writes it", .found = found});
 }
 
-ClipShape read_shape(const JsonFields& header) {
+ClipShape read_shape(const SetFields& header) {
   ClipShape shape{.width_px = header.number("width_px", 1, most_clip_px),
                   .height_px = header.number("height_px", 1, most_clip_px),
                   .channels = header.number("channels", 1, 3),
@@ -70,11 +70,11 @@ ClipReader::ClipReader(const std::filesystem::path& path)
   const std::string text = bytes_.substr(clip_magic.size(), end - clip_magic.size());
   require_bounded_json(text, path.string());
   const Json json = Json::parse(text, nullptr, false);
-  const JsonFields header(json, path.string(), "");
+  const SetFields header(json, path.string(), "");
   shape_ = read_shape(header);
   std::size_t begin = end + 1;
   for (const Json& item : header.array("frames")) {
-    const JsonFields frame(item, path.string(), "frames[" + std::to_string(frames_.size()) + "].");
+    const SetFields frame(item, path.string(), "frames[" + std::to_string(frames_.size()) + "].");
     const auto size = static_cast<std::size_t>(std::max<std::int64_t>(0, frame.get<std::int64_t>("bytes")));
     if (size > bytes_.size() - begin) throw no_clip(path, "one that ends too early");
     frames_.push_back({begin, size, frame.get<std::string>("sha256")});
@@ -90,7 +90,7 @@ ClipReader::ClipReader(const std::filesystem::path& path)
 
 const ByteImage& ClipReader::decode() {
   if (next_ == 0) std::fill(frame_.values.begin(), frame_.values.end(), std::uint8_t{0});
-  const Frame& frame = frames_[static_cast<std::size_t>(next_)];
+  const Frame& frame = frames_[next_];
   const std::optional<std::string> change =
       inflated(std::string_view(bytes_).substr(frame.begin, frame.bytes), frame_.values.size());
   if (!change) throw no_clip(path_, "one whose frame " + std::to_string(next_) + " is damaged");

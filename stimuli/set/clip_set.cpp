@@ -21,10 +21,10 @@ Json clip_records_json(const std::vector<ClipRecord>& records) {
   return json;
 }
 
-std::vector<ClipRecord> read_clip_records(const JsonFields& fields, const char* key, const fs::path& path) {
+std::vector<ClipRecord> read_clip_records(const SetFields& fields, const char* key, const fs::path& path) {
   std::vector<ClipRecord> records;
   for (const Json& item : fields.array(key)) {
-    const JsonFields one(item, path.string(), std::string(key) + "[" + std::to_string(records.size()) + "].");
+    const SetFields one(item, path.string(), std::string(key) + "[" + std::to_string(records.size()) + "].");
     records.push_back({one.get<std::string>("name"), one.file_below("file"), one.get<std::string>("sha256")});
   }
   return records;
@@ -39,7 +39,7 @@ std::optional<ClipSet> read_clip_set(const fs::path& set_folder) {
   const std::string text = read_file(path_in_set(set_folder, clip_set_file));
   require_bounded_json(text, path.string());
   const Json json = Json::parse(text, nullptr, false);
-  const JsonFields fields(json, path.string(), "");
+  const SetFields fields(json, path.string(), "");
   if (fields.get<std::string>("format") != clip_set_format || fields.get<int>("version") != clip_set_version)
     throw fields.complaint("format", "\"seamline clips\" of version 1", "another");
   ClipSet clips{.frames = fields.number("frames", 1, 999),

@@ -14,9 +14,9 @@ namespace seamline::inline stimuli {
 using Json = nlohmann::ordered_json;
 
 /// Reads fields of one JSON object; complaints name file and field.
-class JsonFields {
+class SetFields {
  public:
-  JsonFields(const Json& json, std::string file, std::string prefix)
+  SetFields(const Json& json, std::string file, std::string prefix)
       : json_(json), file_(std::move(file)), prefix_(std::move(prefix)) {}
 
   template <class T>
@@ -52,7 +52,7 @@ class JsonFields {
     if (!is_written_below(name)) throw complaint(key, "a path below the set's folder", "\"" + name + "\"");
     return name;
   }
-  [[nodiscard]] JsonFields object(const char* key) const {
+  [[nodiscard]] SetFields object(const char* key) const {
     if (!json_.is_object() || !json_.contains(key)) throw complaint(key, "an object", "nothing");
     return {json_.at(key), file_, prefix_ + key + "."};
   }

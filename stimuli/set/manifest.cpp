@@ -38,11 +38,11 @@ void add_eyes(const char* key, const std::vector<EyePicture>& eyes, Json& json) 
   for (const EyePicture& eye : eyes) json[key].push_back({{"image", eye.image}, {"sha256", eye.sha256}});
 }
 
-std::vector<EyePicture> read_eyes(const JsonFields& fields, const char* key, const std::string& file) {
+std::vector<EyePicture> read_eyes(const SetFields& fields, const char* key, const std::string& file) {
   std::vector<EyePicture> eyes;
   if (!fields.has(key)) return eyes;
   for (const Json& item : fields.array(key)) {
-    const JsonFields eye(item, file, std::string(key) + "[" + std::to_string(eyes.size()) + "].");
+    const SetFields eye(item, file, std::string(key) + "[" + std::to_string(eyes.size()) + "].");
     eyes.push_back({eye.file_below("image"), eye.get<std::string>("sha256")});
   }
   return eyes;
@@ -108,7 +108,7 @@ Json to_json(const ManifestStimulus& record) {
   return json;
 }
 
-Artifact read_artifact(const JsonFields& fields) {
+Artifact read_artifact(const SetFields& fields) {
   const auto text = fields.get<std::string>("artifact");
   const std::optional<Artifact> artifact = artifact_from_word(text);
   if (!artifact) throw fields.complaint("artifact", "a known artifact", "\"" + text + "\"");
@@ -116,7 +116,7 @@ Artifact read_artifact(const JsonFields& fields) {
 }
 
 /// A scene or an object, as study files name them: it stands in logs, reports and figures.
-std::string read_name(const JsonFields& fields, const char* key, bool may_be_empty = false) {
+std::string read_name(const SetFields& fields, const char* key, bool may_be_empty = false) {
   const auto name = fields.get<std::string>(key);
   constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz0123456789_@";
   if ((name.empty() && !may_be_empty) || name.find_first_not_of(letters) != std::string::npos)
@@ -124,7 +124,7 @@ std::string read_name(const JsonFields& fields, const char* key, bool may_be_emp
   return name;
 }
 
-int read_depth_width(const JsonFields& condition) {
+int read_depth_width(const SetFields& condition) {
   const int width_px = condition.number("depth_width_px", 2, widest_depth_px);
   if (width_px % 2 != 0)
     throw condition.complaint("depth_width_px", "an even number", std::to_string(width_px));
@@ -132,7 +132,7 @@ int read_depth_width(const JsonFields& condition) {
 }
 
 /// A scene's name, and what condition and level add to it; part of file names.
-std::string read_truth(const JsonFields& fields, const char* key) {
+std::string read_truth(const SetFields& fields, const char* key) {
   const auto truth = fields.get<std::string>(key);
   constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz0123456789_-@";
   if (truth.empty() || truth.size() > 200 || truth.find_first_not_of(letters) != std::string::npos)
@@ -141,7 +141,7 @@ std::string read_truth(const JsonFields& fields, const char* key) {
 }
 
 /// A setting that is a word, as study files write it.
-void read_choice(const JsonFields& condition, const char* key, DepthSettings& depth) {
+void read_choice(const SetFields& condition, const char* key, DepthSettings& depth) {
   const auto& choice = std::get<Choice<DepthSettings>>(setting<DepthSettings>(key).slot);
   const auto text = condition.get<std::string>(key);
   const auto found = std::find(choice.words.begin(), choice.words.end(), text);
@@ -151,12 +151,12 @@ void read_choice(const JsonFields& condition, const char* key, DepthSettings& de
 }
 
 /// What only sets with conditions or with other levels than widths say.
-void read_varied(const JsonFields& fields, const JsonFields& condition, Stimulus& stimulus) {
+void read_varied(const SetFields& fields, const SetFields& condition, Stimulus& stimulus) {
   stimulus.condition = read_name(condition, "name", true);
   read_choice(condition, "mesh", stimulus.depth);
   stimulus.depth.mesh_tolerance = condition.real("mesh_tolerance", 0, 1);  // 0: a level, the full mesh
   if (condition.has("mesh_albedo")) read_choice(condition, "mesh_albedo", stimulus.depth);
-  const JsonFields level = fields.object("level");
+  const SetFields level = fields.object("level");
   const auto quantity = quantity_from_key(level.get<std::string>("quantity"));
   if (!quantity)
     throw level.complaint("quantity", "a known quantity", "\"" + level.get<std::string>("quantity") + "\"");
@@ -165,8 +165,8 @@ void read_varied(const JsonFields& fields, const JsonFields& condition, Stimulus
   stimulus.truth = read_truth(fields, "truth");
 }
 
-Stimulus read_stimulus(const JsonFields& fields) {
-  const JsonFields condition = fields.object("condition");
+Stimulus read_stimulus(const SetFields& fields) {
+  const SetFields condition = fields.object("condition");
   const int width_px = read_depth_width(condition);
   Stimulus stimulus{.scene = read_name(fields, "scene"),
                     .artifact = read_artifact(fields),
@@ -181,7 +181,7 @@ Stimulus read_stimulus(const JsonFields& fields) {
 }
 
 /// It becomes part of file names.
-std::string read_id(const JsonFields& fields) {
+std::string read_id(const SetFields& fields) {
   const auto id = fields.get<std::string>("id");
   constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-@";
   if (id.empty() || id.size() > 200 || id.front() == '.' ||
@@ -190,7 +190,7 @@ std::string read_id(const JsonFields& fields) {
   return id;
 }
 
-ManifestStimulus read_record(const JsonFields& fields, const std::string& file) {
+ManifestStimulus read_record(const SetFields& fields, const std::string& file) {
   ManifestStimulus record;
   record.id = read_id(fields);
   record.stimulus = read_stimulus(fields);
@@ -206,31 +206,31 @@ ManifestStimulus read_record(const JsonFields& fields, const std::string& file) 
   const auto rmse = fields.get<Json>("rmse");
   if (rmse.is_number()) record.rmse = rmse.get<double>();
   if (fields.has("pipeline_error")) record.pipeline_error = fields.get<double>("pipeline_error");
-  const JsonFields mesh = fields.object("mesh");
+  const SetFields mesh = fields.object("mesh");
   record.mesh = {.triangles = mesh.get<std::int64_t>("triangles"),
                  .max_relative_error = mesh.get<double>("max_relative_error")};
   if (mesh.has("sensor")) {
-    const JsonFields sensor = mesh.object("sensor");
+    const SetFields sensor = mesh.object("sensor");
     record.mesh.sensor = {.measured = sensor.get<std::int64_t>("measured"),
                           .holes = sensor.get<std::int64_t>("holes"),
                           .invented = sensor.get<std::int64_t>("invented"),
                           .outliers = sensor.get<std::int64_t>("outliers")};
   }
   if (mesh.has("model")) {
-    const JsonFields model = mesh.object("model");
+    const SetFields model = mesh.object("model");
     record.mesh.model = {.planes = model.get<int>("planes"),
                          .boxes = model.get<int>("boxes"),
                          .explained_share = model.get<double>("explained_share"),
                          .relative_residual = model.get<double>("relative_residual")};
   }
   if (mesh.has("depth_error")) {
-    const JsonFields error = mesh.object("depth_error");
+    const SetFields error = mesh.object("depth_error");
     record.mesh.depth_error = {.compared = error.get<std::int64_t>("compared"),
                                .abs_rel = error.get<double>("abs_rel"),
                                .rmse_m = error.get<double>("rmse_m"),
                                .within_quarter = error.get<double>("within_quarter")};
   }
-  const JsonFields tiny = fields.object("tiny_denominators");
+  const SetFields tiny = fields.object("tiny_denominators");
   record.tiny_denominators = {
       tiny.get<std::int64_t>("floored_pixels"), tiny.get<std::int64_t>("clamped_pixels"),
       tiny.get<std::int64_t>("sealed_pixels"), tiny.get<std::int64_t>("not_finite_pixels")};
@@ -264,7 +264,7 @@ Json parse(const std::string& text, const std::string& file) {
   }
 }
 
-void check_version(const JsonFields& fields) {
+void check_version(const SetFields& fields) {
   const auto format = fields.get<std::string>("format");
   if (format != manifest_format)
     throw fields.complaint("format", std::string("\"") + manifest_format + "\"", "\"" + format + "\"");
@@ -278,7 +278,7 @@ void check_version(const JsonFields& fields) {
 }
 
 /// The list of clips is a part of the manifest in a file of its own.
-void check_clip_list(const JsonFields& clips, const std::filesystem::path& set_folder) {
+void check_clip_list(const SetFields& clips, const std::filesystem::path& set_folder) {
   std::error_code error;
   const std::filesystem::path path = set_folder / clip_set_file;
   if (!std::filesystem::exists(path, error) || sha256_of_file(path) != clips.get<std::string>("sha256"))
@@ -297,22 +297,22 @@ Manifest read_manifest(const std::filesystem::path& set_folder) {
     throw input_error(
         {.file = path.string(), .wanted = "a set rendered by `seamline render`", .found = "no such file"});
   const Json json = parse(read_file(path), path.string());
-  const JsonFields fields(json, path.string(), "");
+  const SetFields fields(json, path.string(), "");
   check_version(fields);
   if (fields.has("clips")) check_clip_list(fields.object("clips"), set_folder);
   Manifest manifest;
-  const JsonFields study = fields.object("study");
+  const SetFields study = fields.object("study");
   manifest.study_name = study.get<std::string>("name");
   manifest.study_hash = study.get<std::string>("sha256");
   manifest.study_file = study.file_below("file");
-  const JsonFields program = fields.object("program");
+  const SetFields program = fields.object("program");
   manifest.program_version = program.get<std::string>("version");
   manifest.instruction_set = program.get<std::string>("instruction_set");
   manifest.left_out = fields.get<std::vector<std::string>>("left_out");
   manifest.width_px = fields.number("width_px", 1, limits::largest_picture_side_px);
   manifest.height_px = fields.number("height_px", 1, limits::largest_picture_side_px);
   for (const Json& item : fields.array("references")) {
-    const JsonFields reference(item, path.string(),
+    const SetFields reference(item, path.string(),
                                "references[" + std::to_string(manifest.references.size()) + "].");
     manifest.references.push_back(
         {read_truth(reference, "scene"), reference.file_below("image"), reference.file_below("object_ids"),
@@ -322,7 +322,7 @@ Manifest read_manifest(const std::filesystem::path& set_folder) {
   }
   std::set<std::string> ids;
   for (const Json& item : fields.array("stimuli")) {
-    const JsonFields record(item, path.string(), "stimuli[" + std::to_string(manifest.stimuli.size()) + "].");
+    const SetFields record(item, path.string(), "stimuli[" + std::to_string(manifest.stimuli.size()) + "].");
     manifest.stimuli.push_back(read_record(record, path.string()));
     if (!ids.insert(manifest.stimuli.back().id).second)
       throw record.complaint("id", "an id that no other stimulus has", manifest.stimuli.back().id);
@@ -369,7 +369,7 @@ std::string stimulus_record_text(const ManifestStimulus& record) {
 
 ManifestStimulus stimulus_record_from_text(const std::string& text, const std::string& file) {
   const Json json = parse(text, file);
-  return read_record(JsonFields(json, file, ""), file);
+  return read_record(SetFields(json, file, ""), file);
 }
 
 std::string set_hash(const std::filesystem::path& set_folder) {

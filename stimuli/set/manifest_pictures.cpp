@@ -155,9 +155,8 @@ void check_manifest_shapes(const fs::path& set_folder, const Manifest& manifest)
 void check_manifest_pictures(const fs::path& set_folder, const Manifest& manifest) {
   check_references(set_folder, manifest);
   const std::vector<ManifestPicture> files = manifest_pictures(manifest);
-  run_parallel(static_cast<int>(files.size()), 0, [&](int index) {
-    check_manifest_picture(set_folder, files[static_cast<std::size_t>(index)]);
-  });
+  run_parallel(static_cast<int>(files.size()), 0,
+               [&](int index) { check_manifest_picture(set_folder, files[index]); });
 }
 
 }  // namespace seamline::inline stimuli
