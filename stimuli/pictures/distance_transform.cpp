@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "support/arithmetic/grid_index.h"
+
 namespace seamline::inline stimuli {
 namespace {
 
@@ -66,9 +68,7 @@ PixelSet doubled(const PixelSet& set) {
   int left = set.width_px, right = -1, top = set.height_px, bottom = -1;
   for (int y = 0; y < set.height_px; ++y)
     for (int x = 0; x < set.width_px; ++x) {
-      if (set.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(set.width_px) +
-                     static_cast<std::size_t>(x)] == 0)
-        continue;
+      if (set.values[grid_index(y, x, set.width_px)] == 0) continue;
       left = std::min(left, x);
       right = std::max(right, x);
       top = std::min(top, y);
@@ -79,9 +79,7 @@ PixelSet doubled(const PixelSet& set) {
   out.values.reserve(static_cast<std::size_t>(out.width_px) * static_cast<std::size_t>(out.height_px));
   for (int y = 0; y < out.height_px; ++y)
     for (int x = 0; x < out.width_px; ++x)
-      out.values.push_back(
-          set.values[static_cast<std::size_t>(top + y / 2) * static_cast<std::size_t>(set.width_px) +
-                     static_cast<std::size_t>(left + x / 2)]);
+      out.values.push_back(set.values[grid_index(top + y / 2, left + x / 2, set.width_px)]);
   return out;
 }
 

@@ -96,7 +96,7 @@ Image filtered(const Image& one_channel, const SeparableFilter& filter) {
   for (int y = 0; y < height; ++y) {
     const float* source = &one_channel.values[static_cast<std::size_t>(y) * row];
     for (int x = 0; x < static_cast<int>(padded.size()); ++x)
-      padded[static_cast<std::size_t>(x)] = double{source[clamped(x - radius_x, width)]};
+      padded[x] = double{source[clamped(x - radius_x, width)]};
     std::fill(sums.begin(), sums.end(), 0.0);
     for (std::size_t tap = 0; tap < filter.along_x.size(); ++tap)
       for (std::size_t x = 0; x < row; ++x) sums[x] += filter.along_x[tap] * padded[x + tap];

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "support/arithmetic/grid_index.h"
 #include "support/arithmetic/random.h"
 
 namespace seamline::inline stimuli {
@@ -30,8 +31,7 @@ std::vector<Square> squares_of(const ByteImage& image, int side_px) {
 }
 
 std::size_t place(const ByteImage& image, int x_px, int y_px) {
-  return 3 * (static_cast<std::size_t>(y_px) * static_cast<std::size_t>(image.width_px) +
-              static_cast<std::size_t>(x_px));
+  return 3 * grid_index(y_px, x_px, image.width_px);
 }
 
 ByteImage noise(ByteImage image, Random& random) {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "support/arithmetic/bilinear.h"
+#include "support/arithmetic/grid_index.h"
 
 namespace seamline::inline stimuli {
 namespace {
@@ -31,10 +32,9 @@ class PanoramaCodes {
   [[nodiscard]] double code(int x, int y, int channel) const {
     const int column = (x + panorama_.width_px) % panorama_.width_px;
     const int row = std::clamp(y, 0, panorama_.height_px - 1);
-    return panorama_.values[(static_cast<std::size_t>(row) * static_cast<std::size_t>(panorama_.width_px) +
-                             static_cast<std::size_t>(column)) *
-                                static_cast<std::size_t>(panorama_.channels) +
-                            static_cast<std::size_t>(channel)];
+    return panorama_
+        .values[grid_index(row, column, panorama_.width_px) * static_cast<std::size_t>(panorama_.channels) +
+                static_cast<std::size_t>(channel)];
   }
 
   const ByteImage& panorama_;
@@ -66,9 +66,7 @@ std::array<double, 2> object_pose_deg(const ByteImage& object_ids, int object_in
   for (int y = 0; y < object_ids.height_px; ++y) {
     const double elevation = (0.5 - (y + 0.5) / object_ids.height_px) * half_turn_rad;
     for (int x = 0; x < object_ids.width_px; ++x) {
-      if (object_ids.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(object_ids.width_px) +
-                            static_cast<std::size_t>(x)] != object_index)
-        continue;
+      if (object_ids.values[grid_index(y, x, object_ids.width_px)] != object_index) continue;
       const double azimuth = ((x + 0.5) / object_ids.width_px - 0.5) * 2 * half_turn_rad,
                    flat = std::cos(elevation);
       sum += flat * Eigen::Vector3d(std::sin(azimuth) * flat, std::sin(elevation), -std::cos(azimuth) * flat);

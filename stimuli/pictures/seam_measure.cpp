@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cstdlib>
 
+#include "support/arithmetic/grid_index.h"
+
 namespace seamline::inline stimuli {
 namespace {
 
@@ -25,7 +27,7 @@ class Responses {
  public:
   void add(int response) {
     const int value = std::abs(response);
-    ++counts_[static_cast<std::size_t>(value)];
+    ++counts_[value];
     largest_ = std::max(largest_, value);
     ++count_;
   }
@@ -35,7 +37,7 @@ class Responses {
     const double half = static_cast<double>(count_) / 2;
     int below = 0;
     for (int value = 0; value <= largest_; ++value) {
-      const int here = counts_[static_cast<std::size_t>(value)];
+      const int here = counts_[value];
       if (here > 0 && below + here >= half) return value == 0 ? 0 : value - 0.5 + (half - below) / here;
       below += here;
     }
@@ -115,9 +117,7 @@ NoiseTiles noise_tiles(const SignedDifference& d) {
         const int right = std::min(tile_end(column, tiles.columns, d.width_px), d.width_px - 1);
         for (int y = std::max(row * seam_tile_px, 1); y < bottom; ++y)
           for (int x = std::max(column * seam_tile_px, 1); x < right; ++x)
-            responses.add(response_at(d, (static_cast<std::size_t>(y) * static_cast<std::size_t>(d.width_px) +
-                                          static_cast<std::size_t>(x)) *
-                                                 static_cast<std::size_t>(d.channels) +
+            responses.add(response_at(d, grid_index(y, x, d.width_px) * static_cast<std::size_t>(d.channels) +
                                              static_cast<std::size_t>(channel)));
         tiles.deviation_steps.push_back(deviations_of_a_median * responses.median_sixths() / mask_norm);
       }
@@ -126,10 +126,7 @@ NoiseTiles noise_tiles(const SignedDifference& d) {
 
 PixelSet seam_pixels(const SignedDifference& d, const NoiseTiles& noise, int step) {
   const std::vector<std::int8_t> signs = exceeding(d, noise, step);
-  const auto at = [&](int x, int y) {
-    return signs[static_cast<std::size_t>(y) * static_cast<std::size_t>(d.width_px) +
-                 static_cast<std::size_t>(x)];
-  };
+  const auto at = [&](int x, int y) { return signs[grid_index(y, x, d.width_px)]; };
   const auto has_company = [&](int x, int y) {
     for (int v = std::max(y - 1, 0); v <= std::min(y + 1, d.height_px - 1); ++v)
       for (int u = std::max(x - 1, 0); u <= std::min(x + 1, d.width_px - 1); ++u)

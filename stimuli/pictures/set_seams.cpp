@@ -19,8 +19,8 @@ std::vector<SeamMeasure> measure_seams(const std::filesystem::path& set_folder, 
   std::vector<SeamMeasure> seams(manifest.stimuli.size());
   run_parallel(static_cast<int>(seams.size()), threads,
                [&](int index) {
-                 const ManifestStimulus& record = manifest.stimuli[static_cast<std::size_t>(index)];
-                 seams[static_cast<std::size_t>(index)] =
+                 const ManifestStimulus& record = manifest.stimuli[index];
+                 seams[index] =
                      measure_seam(read_manifest_picture(set_folder, stimulus_picture(manifest, record)),
                                   references.at(truth_of(record.stimulus)));
                },

@@ -114,8 +114,8 @@ std::vector<double> pooled_of_clips(const fs::path& folder, const Manifest& mani
                                         references = clip_paths(folder, clips.references);
   std::vector<double> pooled(manifest.stimuli.size());
   run_parallel(static_cast<int>(pooled.size()), threads, [&](int index) {
-    const ManifestStimulus& stimulus = manifest.stimuli[static_cast<std::size_t>(index)];
-    pooled[static_cast<std::size_t>(index)] =
+    const ManifestStimulus& stimulus = manifest.stimuli[index];
+    pooled[index] =
         pooled_over_frames(shown.at(stimulus.id), references.at(truth_of(stimulus.stimulus)), ppd);
   });
   return pooled;
@@ -127,10 +127,10 @@ std::vector<double> pooled_of_stills(const fs::path& folder, const Manifest& man
   const std::map<std::string, FlipPicture> references = read_references(pictures, manifest, ppd);
   std::vector<double> pooled(manifest.stimuli.size());
   run_parallel(static_cast<int>(pooled.size()), threads, [&](int index) {
-    const ManifestStimulus& stimulus = manifest.stimuli[static_cast<std::size_t>(index)];
+    const ManifestStimulus& stimulus = manifest.stimuli[index];
     const Image flip = flip_difference(references.at(pictures.reference_key(stimulus)),
                                        flip_picture(pictures.seen(stimulus.image, stimulus), ppd));
-    pooled[static_cast<std::size_t>(index)] = pooled_difference(flip, ppd);
+    pooled[index] = pooled_difference(flip, ppd);
   });
   return pooled;
 }

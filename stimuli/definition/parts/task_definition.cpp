@@ -61,7 +61,7 @@ TaskFacts facts_of(const TaskDefinition* task) {
 std::string number_word(int number) {
   constexpr std::array<const char*, most_objects_of_scene> words = {"one",  "two", "three", "four",
                                                                     "five", "six", "seven", "eight"};
-  return words.at(static_cast<std::size_t>(number - 1));
+  return words.at(number - 1);
 }
 
 std::vector<std::string> impairment_labels() {
@@ -75,8 +75,7 @@ std::vector<std::string> object_names(int objects) {
   constexpr std::array<const char*, most_objects_of_scene> places = {"first", "second", "third",   "fourth",
                                                                      "fifth", "sixth",  "seventh", "eighth"};
   std::vector<std::string> names;
-  for (int i = 0; i < objects; ++i)
-    names.push_back(std::string(places.at(static_cast<std::size_t>(i))) + " from the left");
+  for (int i = 0; i < objects; ++i) names.push_back(std::string(places.at(i)) + " from the left");
   return names;
 }
 
