@@ -280,8 +280,9 @@ void make_composite(const CompositeRequest& asked, const CompositeListener& list
            .found = std::to_string(request.depth_samples.value_or(chosen.width_px.value_or(0)))});
     if (chosen.width_px)
       made.depth_text += fmt::format("; of it a panorama of {} x {}", *chosen.width_px, *chosen.width_px / 2);
+    std::shared_ptr<Geometry> geometry = geometry_of(mesh, request.albedo);
     PhotoLocalScene reduced =
-        local_scene_of(std::move(mesh), known, request.albedo, watch.seconds(), request.threads);
+        local_scene_of(std::move(mesh), std::move(geometry), known, request, watch.seconds());
     finest = std::move(local);
     local = std::move(reduced);
   }

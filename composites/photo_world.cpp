@@ -62,17 +62,21 @@ void note_holes(const PhotoDepth& depth, Notes& notes) {
 
 }  // namespace
 
-PhotoLocalScene local_scene_of(DepthMesh mesh, const KnownLight& known, double albedo, double seconds,
-                               int threads) {
+std::shared_ptr<Geometry> geometry_of(const DepthMesh& mesh, double albedo) {
+  return std::make_shared<Geometry>(mesh, Rgb::Constant(static_cast<float>(albedo)), TreeQuality::for_light,
+                                    CentreRays::by_table);
+}
+
+PhotoLocalScene local_scene_of(DepthMesh mesh, std::shared_ptr<Geometry> geometry, const KnownLight& known,
+                               const CompositeRequest& request, double seconds) {
   PhotoLocalScene scene;
   scene.mesh = std::move(mesh);
   const Stopwatch watch;
-  auto geometry = std::make_shared<Geometry>(scene.mesh, Rgb::Constant(static_cast<float>(albedo)),
-                                             TreeQuality::for_light, CentreRays::by_table);
   scene.light = known.light;
   if (known.photographed) {
-    scene.light.hidden_sky = fill_hidden_sky(*geometry, *scene.light.environment, threads);
-    scene.sent = follow_received_light(geometry, scene.light, known.panorama_white, threads);
+    scene.light.hidden_sky = fill_hidden_sky(*geometry, *scene.light.environment, request.threads);
+    scene.sent = follow_received_light(geometry, scene.light, known.panorama_white,
+                                       implied_albedo_columns(request.error), request.threads);
   }
   scene.geometry = std::move(geometry);
   scene.seconds = seconds + watch.seconds();
@@ -92,11 +96,10 @@ void read_photo_world(const CompositeRequest& request, PhotoWorld& world, Notes&
     throw input_error({.file = request.depth.file,
                        .wanted = "a depth map in which three neighbours have a depth",
                        .found = "none"});
-  const Geometry geometry(mesh, Rgb::Constant(static_cast<float>(request.albedo)));
-  world.known = known_light(request, seen, geometry, notes);
-  require_way_in(world.known, geometry, notes);
-  world.local =
-      local_scene_of(std::move(mesh), world.known, request.albedo, watch.seconds(), request.threads);
+  const std::shared_ptr<Geometry> geometry = geometry_of(mesh, request.albedo);
+  world.known = known_light(request, seen, *geometry, notes);
+  require_way_in(world.known, *geometry, notes);
+  world.local = local_scene_of(std::move(mesh), geometry, world.known, request, watch.seconds());
   const SentLight& sent = world.local.sent;
   if (sent.share_above_one >= 0.01)
     notes.say(

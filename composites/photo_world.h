@@ -17,9 +17,14 @@ struct PhotoLocalScene {
   double seconds = 0;
 };
 
-/// The local scene of a mesh, which took `seconds` so far.
-[[nodiscard]] PhotoLocalScene local_scene_of(DepthMesh mesh, const KnownLight& known, double albedo,
-                                             double seconds, int threads);
+/// What rays meet of a mesh whose surfaces have one albedo.
+[[nodiscard]] std::shared_ptr<Geometry> geometry_of(const DepthMesh& mesh, double albedo);
+
+/// The local scene of a mesh and its `geometry_of`, which took `seconds` so far. `request`: its error and
+/// threads.
+[[nodiscard]] PhotoLocalScene local_scene_of(DepthMesh mesh, std::shared_ptr<Geometry> geometry,
+                                             const KnownLight& known, const CompositeRequest& request,
+                                             double seconds);
 
 /// Everything of a composite that does not depend on its objects.
 struct PhotoWorld {

@@ -12,7 +12,7 @@
 namespace seamline::renderer {
 namespace {
 
-constexpr int albedo_map_px = 256, samples_of_albedo = 64;
+constexpr int samples_of_albedo = 64;
 constexpr std::uint64_t received_seed = 0x5e47;
 constexpr float least_albedo = 0.01F;
 constexpr float noise_of_albedo = 0.1F;  ///< relative; what is implied above 1 by no more is noise
@@ -22,13 +22,14 @@ Eigen::Vector3f map_direction(double column, double row, int width, int height) 
 }
 
 /// The implied albedo in one texel; none where the depth map is a hole or no light arrives.
-std::optional<Rgb> implied_albedo(const Geometry& local, const Light& light, int column, int row) {
+std::optional<Rgb> implied_albedo(const Geometry& local, const Light& light, int columns, int column,
+                                  int row) {
   Rgb sent = Rgb::Zero(), received = Rgb::Zero();  // both as radiance: received at albedo 1
   for (int sample = 0; sample < samples_of_albedo; ++sample) {
     const Sampler sampler(received_seed, column, row, sample);
     const Eigen::Array2f within = sampler.point(dimension::pixel);
     const Eigen::Vector3f direction =
-        map_direction(column + double{within[0]}, row + double{within[1]}, albedo_map_px, albedo_map_px / 2);
+        map_direction(column + double{within[0]}, row + double{within[1]}, columns, columns / 2);
     std::optional<SurfacePoint> point = local.nearest({Eigen::Vector3f::Zero(), direction});
     if (!point) continue;
     point->albedo = Rgb::Ones();
@@ -63,10 +64,15 @@ std::shared_ptr<const EnvironmentMap> dimmed(const EnvironmentMap& panorama, con
 
 }  // namespace
 
+int implied_albedo_columns(const std::optional<double>& error) {
+  constexpr double lax_error = 0.02;
+  return error.value_or(0) >= lax_error ? 128 : 256;
+}
+
 SentLight follow_received_light(const std::shared_ptr<Geometry>& local, Light& light,
-                                const std::optional<float>& white, int threads) {
+                                const std::optional<float>& white, int columns, int threads) {
   light.photographed = local;
-  constexpr int width_px = albedo_map_px, height_px = width_px / 2;
+  const int width_px = columns, height_px = columns / 2;
   AlbedoMap implied{.width_px = width_px,
                     .height_px = height_px,
                     .texels = {},
@@ -76,7 +82,7 @@ SentLight follow_received_light(const std::shared_ptr<Geometry>& local, Light& l
   implied.known.assign(implied.texels.size(), 0);
   parallel_for(height_px, threads, [&](int row) {
     for (int column = 0; column < width_px; ++column)
-      if (const auto albedo = implied_albedo(*local, light, column, row)) {
+      if (const auto albedo = implied_albedo(*local, light, columns, column, row)) {
         implied.texels[implied.index(column, row)] = *albedo;
         implied.known[implied.index(column, row)] = 1;
       }

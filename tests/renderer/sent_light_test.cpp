@@ -5,7 +5,10 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "renderer/depth/capture.h"
 #include "renderer/depth/depth_map.h"
@@ -30,7 +33,7 @@ struct PhotographedFloor {
   Light light;
   SentLight sent;
 
-  explicit PhotographedFloor(float floor_radiance) {
+  explicit PhotographedFloor(float floor_radiance, int albedo_columns = 256) {
     Image panorama(256, 128, 3, 1.0F);
     for (int y = 64; y < 128; ++y)
       for (int x = 0; x < 256; ++x) panorama.set_rgb(x, y, Rgb::Constant(floor_radiance));
@@ -39,7 +42,7 @@ struct PhotographedFloor {
     local = std::make_shared<Geometry>(mesh, Rgb::Constant(0.5F));
     light.environment = std::make_shared<EnvironmentMap>(std::move(panorama), 0.0F);
     light.bounces = 8;
-    sent = follow_received_light(local, light, 8.0F, 2);
+    sent = follow_received_light(local, light, 8.0F, albedo_columns, 2);
   }
 };
 
@@ -56,8 +59,9 @@ float ratio_at(const Geometry& real, const Geometry& object, const Light& light,
 }
 
 TEST(SentLight, ContactShadowsAreAsDeepAsInTheSceneItself) {
-  for (const float albedo : {0.3F, 0.8F}) {
-    const PhotographedFloor photo(albedo);  // under a whole sky of radiance 1 a floor sends its albedo
+  for (const auto& [albedo, columns] : {std::pair{0.3F, 256}, std::pair{0.8F, 256}, std::pair{0.8F, 128}}) {
+    const PhotographedFloor photo(albedo,
+                                  columns);  // under a whole sky of radiance 1 a floor sends its albedo
     EXPECT_NEAR(photo.sent.share_above_one, 0, 0.001);
     const Meshes ball = {test::sphere({0, floor_m + 0.4F, -2}, 0.4F, 64, 0.5F, 1)};
     const Geometry object(ball), truth(Meshes{floor_of(albedo)});
@@ -100,7 +104,7 @@ class WindowRoom {
     light_.environment = std::make_shared<EnvironmentMap>(std::move(panorama), 0.0F);
     light_.bounces = lit_.bounces = 8;
     lit_.emitters = std::make_shared<EmittingSurfaces>(parts());
-    sent_ = follow_received_light(local_, light_, 1.0F, 2);
+    sent_ = follow_received_light(local_, light_, 1.0F, 256, 2);
   }
 
   [[nodiscard]] const SentLight& sent() const { return sent_; }
@@ -161,8 +165,10 @@ TEST(SentLight, AFloorTooBrightForItsWindowIsShadowedAsAWhiteOneInThatRoom) {
 }
 
 TEST(SentLight, TheImpliedAlbedoIsTheScenesOwn) {
-  const PhotographedFloor photo(0.3F);
-  EXPECT_NEAR(photo.local->nearest({Eigen::Vector3f::Zero(), {0, -1, 0}})->albedo[1], 0.3F, 0.01F);
+  for (const std::optional<double> error : {std::optional<double>{}, std::optional<double>{0.034}}) {
+    const PhotographedFloor photo(0.3F, implied_albedo_columns(error));
+    EXPECT_NEAR(photo.local->nearest({Eigen::Vector3f::Zero(), {0, -1, 0}})->albedo[1], 0.3F, 0.01F);
+  }
 }
 
 }  // namespace
