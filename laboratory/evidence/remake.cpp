@@ -199,10 +199,10 @@ fs::path remake_evidence(const EvidencePage& page, const RemakeOptions& options)
   for (const EvidenceStep& step : steps_of(page, options.small))
     records.push_back(step_record(page, step, folder, options));
   std::error_code error;
-  for (const EvidenceFigure& figure : page.figures)
-    if (fs::exists(folder / figure.table, error)) draw_evidence(folder, figure);
   write_printed_tables(page, records, folder);
   write_computed_tables(page, folder);
+  for (const EvidenceFigure& figure : page.figures)
+    if (fs::exists(folder / figure.table, error)) draw_evidence(folder, figure);
   if (!options.pages.empty()) {
     bring_beside_page(page, folder, options.pages / page.name);
     return renew_evidence(page, options.pages);
