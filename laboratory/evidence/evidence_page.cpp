@@ -43,7 +43,7 @@ EvidencePage speed_page() {
       .small_steps = {{"bench", "seamline lab bench --only capture --quick --csv bench.csv",
                        Printed::progress}},
       .shown = {"bench.csv"},
-      .figures = {{"ratios.csv", "what a goal was set for, beside what ran in the same seconds",
+      .figures = {{"ratios.csv", "speed beside what ran in the same seconds",
                    LabelledDots{.labels = {"measurement"}, .x = "ratio", .x_label = "ratio", .wanted = 1}}},
       .printed = {{.file = "cycles.csv",
                    .step = "cycles",
@@ -53,9 +53,9 @@ EvidencePage speed_page() {
                   .heading = "measurement",
                   .row_of = {"measurement"},
                   .columns = {{.heading = "unit", .of = "unit"},
-                              {.heading = "found", .of = "found", .shows = Summary::mean, .decimals = 2},
-                              {.heading = "beside", .of = "beside", .shows = Summary::mean, .decimals = 2},
-                              {.heading = "ratio", .of = "ratio", .shows = Summary::mean, .decimals = 2},
+                              {.heading = "found", .of = "found", .shows = Summary::mean_of_3_digits},
+                              {.heading = "beside", .of = "beside", .shows = Summary::mean_of_3_digits},
+                              {.heading = "ratio", .of = "ratio", .shows = Summary::mean_of_3_digits},
                               {.heading = "wanted", .of = "wanted"}},
                   .but_not = {{"wanted", ""}}}}};
 }

@@ -149,6 +149,8 @@ std::string summary_of(const SummaryColumn& column, const std::vector<std::strin
   switch (column.shows) {
     case Summary::mean:
       return fmt::format("{:.{}f}", mean, column.decimals);
+    case Summary::mean_of_3_digits:
+      return fmt::format("{:.3g}", mean);
     case Summary::mean_and_lowest:
       return fmt::format("{:.{}f} ({:.0f})", mean, column.decimals, *low);
     case Summary::lowest:

@@ -26,8 +26,9 @@ struct TextTable {
 /// The rows whose columns hold these values.
 using RowFilter = std::vector<std::pair<std::string, std::string>>;
 
-/// What a cell says of all rows that it stands for. Rows without a number count only for `rows` and `text`.
-enum class Summary { text, mean, mean_and_lowest, lowest, highest, range, sum, rows };
+/// What a cell says of all rows that it stands for; `mean_of_3_digits` beside numbers of all sizes. Rows
+/// without a number count only for `rows` and `text`.
+enum class Summary { text, mean, mean_of_3_digits, mean_and_lowest, lowest, highest, range, sum, rows };
 
 struct SummaryColumn {
   std::string heading;
