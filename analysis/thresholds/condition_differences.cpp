@@ -128,9 +128,9 @@ void add_differences(std::vector<ConditionCurve>& curves, const ResamplingReques
   if (people > 0) estimates = differences_of(mean_and_covariance(joint).mean);
   std::vector<std::vector<Ranges>> replicates;
   if (people >= 2 && request.replicates > 0) {
-    replicates.resize(static_cast<std::size_t>(request.replicates));
+    replicates.resize(request.replicates);
     for_each_replicate(joint, request, [&](int replicate, const Eigen::VectorXd& mean) {
-      replicates[static_cast<std::size_t>(replicate)] = differences_of(mean);
+      replicates[replicate] = differences_of(mean);
     });
   }
   for (std::size_t c = 0; c < others; ++c)

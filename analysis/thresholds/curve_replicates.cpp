@@ -17,7 +17,7 @@ LevelInterval point(double level_x) {
 CurveReplicates::CurveReplicates(const std::vector<double>& level_x, int replicates) : fitter_(level_x) {
   for (auto* values : {&perceptual_, &slightly_noticeable_, &inflection_, &perceptual_logistic_,
                        &slightly_noticeable_logistic_})
-    values->resize(static_cast<std::size_t>(replicates));
+    values->resize(replicates);
 }
 
 void CurveReplicates::set(int replicate, std::span<const double> means) {

@@ -54,7 +54,7 @@ Eigen::MatrixXd formula_scores(const GuessTrials& trials, const CellRange& range
   Eigen::VectorXd value(shape.of_cell());
   for (int place = 0; place < shape.of_cell(); ++place) {
     const int right = place / shape.of_trial(), chosen = place % shape.of_trial() / study::highest_rating;
-    const double b = guessers.position[static_cast<std::size_t>(right)];
+    const double b = guessers.position[right];
     value[place] = right == chosen ? place % study::highest_rating + 1
                                    : -guessers.mean_rating() * b / std::max(1 - b, 1e-3);
   }
@@ -89,7 +89,7 @@ void test_chance(const GuessTrials& trials, const CellRange& range, const Guesse
             trials.answers(p, static_cast<Eigen::Index>(range.first + w) * shape.of_cell() + place);
         const int right = place / shape.of_trial(), chosen = place % shape.of_trial() / study::highest_rating;
         right_answers += right == chosen ? n : 0;
-        by_chance += n * guessers.position[static_cast<std::size_t>(right)];
+        by_chance += n * guessers.position[right];
         answers += n;
       }
     if (answers <= 0) continue;

@@ -7,10 +7,10 @@ namespace seamline::analysis {
 namespace {
 
 std::string place_text(const ThresholdRule& rule) {
-  if (rule.estimator == Estimator::joint)
+  if (rule.estimator == CurveEstimator::joint)
     return fmt::format("where {}, by the joint model of seeing, guessing and rating", rule.meaning);
-  const char* curve = rule.estimator == Estimator::isotonic ? "isotonic regression"
-                                                            : "four-parameter logistic (least squares)";
+  const char* curve = rule.estimator == CurveEstimator::isotonic ? "isotonic regression"
+                                                                 : "four-parameter logistic (least squares)";
   return rule.level ? fmt::format("where the {} of mean noticeability equals {:.1f}", curve, *rule.level)
                     : fmt::format("the centre of the {} of mean noticeability", curve);
 }

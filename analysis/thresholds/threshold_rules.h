@@ -12,7 +12,7 @@ namespace seamline::analysis {
 // (thresholds.cpp), report, methods text, thresholds.json, CSV and a preregistration are all written from
 // these tables, so that what was promised is what is computed.
 
-enum class Estimator {
+enum class CurveEstimator {
   joint,     ///< the joint model of seeing, guessing and rating (documentation/explanation/joint_model.md)
   isotonic,  ///< straight lines between the means of the tested levels, non-increasing
   logistic   ///< four parameters, least squares through the means
@@ -29,7 +29,7 @@ struct ThresholdRule {
   const char* key;              ///< "perceptual_threshold": of fields, before the unit
   const char* meaning;          ///< "mean noticeability is 0.5"
   std::optional<double> level;  ///< of mean noticeability; none: IP and the detection threshold
-  Estimator estimator;
+  CurveEstimator estimator;
   IntervalMethod interval;
   ThresholdEstimate CurveThresholds::*estimate;  ///< null for those of the joint model
 };
@@ -37,26 +37,26 @@ struct ThresholdRule {
 /// The thresholds of record. Those corrected for guessing are of what is seen alone.
 inline constexpr std::array<ThresholdRule, 6> threshold_rules = {
     {{"PT", "perceptual_threshold", "mean noticeability, lucky guesses included, is 0.5", perceptual_level,
-      Estimator::joint, IntervalMethod::jackknife_test, nullptr},
+      CurveEstimator::joint, IntervalMethod::jackknife_test, nullptr},
      {"SN", "slightly_noticeable", "mean noticeability, lucky guesses included, is 1.0", slight_level,
-      Estimator::joint, IntervalMethod::jackknife_test, nullptr},
+      CurveEstimator::joint, IntervalMethod::jackknife_test, nullptr},
      {"PT corrected", "perceptual_threshold_corrected", "mean noticeability of what is seen is 0.5",
-      perceptual_level, Estimator::joint, IntervalMethod::jackknife_test, nullptr},
+      perceptual_level, CurveEstimator::joint, IntervalMethod::jackknife_test, nullptr},
      {"SN corrected", "slightly_noticeable_corrected", "mean noticeability of what is seen is 1.0",
-      slight_level, Estimator::joint, IntervalMethod::jackknife_test, nullptr},
-     {"IP", "inflection", "mean noticeability is steepest", std::nullopt, Estimator::joint,
+      slight_level, CurveEstimator::joint, IntervalMethod::jackknife_test, nullptr},
+     {"IP", "inflection", "mean noticeability is steepest", std::nullopt, CurveEstimator::joint,
       IntervalMethod::jackknife, nullptr},
-     {"detection", "detection", "half of all insertions are seen", std::nullopt, Estimator::joint,
+     {"detection", "detection", "half of all insertions are seen", std::nullopt, CurveEstimator::joint,
       IntervalMethod::jackknife_test, nullptr}}};
 
 /// The paper's own way, for those who replicate it: it stands beside the thresholds of record.
 inline constexpr std::array<ThresholdRule, 3> paper_rules = {
     {{"PT", "perceptual_threshold", "the isotonic means, joined by straight lines, are 0.5", perceptual_level,
-      Estimator::isotonic, IntervalMethod::score_test, &CurveThresholds::perceptual},
+      CurveEstimator::isotonic, IntervalMethod::score_test, &CurveThresholds::perceptual},
      {"SN", "slightly_noticeable", "the isotonic means, joined by straight lines, are 1.0", slight_level,
-      Estimator::isotonic, IntervalMethod::score_test, &CurveThresholds::slightly_noticeable},
-     {"IP", "inflection", "the centre of a logistic through the means", std::nullopt, Estimator::logistic,
-      IntervalMethod::expanded_percentile, &CurveThresholds::inflection}}};
+      CurveEstimator::isotonic, IntervalMethod::score_test, &CurveThresholds::slightly_noticeable},
+     {"IP", "inflection", "the centre of a logistic through the means", std::nullopt,
+      CurveEstimator::logistic, IntervalMethod::expanded_percentile, &CurveThresholds::inflection}}};
 
 /// Each rule as a sentence, those of record first; then when there is an estimate, and what holds for several
 /// thresholds.

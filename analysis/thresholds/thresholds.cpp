@@ -17,9 +17,9 @@ namespace {
 const std::vector<ThresholdRule>& all_rules() {
   static const std::vector<ThresholdRule> rules = [] {
     std::vector<ThresholdRule> all(paper_rules.begin(), paper_rules.end());
-    all.push_back({"PT", "perceptual_threshold", "", perceptual_level, Estimator::logistic,
+    all.push_back({"PT", "perceptual_threshold", "", perceptual_level, CurveEstimator::logistic,
                    IntervalMethod::score_test, &CurveThresholds::perceptual_logistic});
-    all.push_back({"SN", "slightly_noticeable", "", slight_level, Estimator::logistic,
+    all.push_back({"SN", "slightly_noticeable", "", slight_level, CurveEstimator::logistic,
                    IntervalMethod::score_test, &CurveThresholds::slightly_noticeable_logistic});
     return all;
   }();
@@ -30,7 +30,7 @@ const std::vector<ThresholdRule>& all_rules() {
 LevelInterval range_of(const ThresholdRule& rule, const CurveThresholds& curve,
                        const std::vector<double>& level_x) {
   if (!rule.level) return curve.logistic.centre_range;
-  if (rule.estimator == Estimator::logistic)
+  if (rule.estimator == CurveEstimator::logistic)
     return logistic_level_range(*rule.level, curve.logistic, level_x);
   const double x = largest_x_at(*rule.level, level_x, curve.isotonic.value);
   return {.low_x = x, .high_x = x};
@@ -39,7 +39,7 @@ LevelInterval range_of(const ThresholdRule& rule, const CurveThresholds& curve,
 LevelInterval score_test_interval(const ThresholdRule& rule, const CurveThresholds& curve,
                                   const std::vector<double>& level_x, const MeanVector& means, int people) {
   assert(rule.level);  // a centre has no level to test
-  return rule.estimator == Estimator::logistic
+  return rule.estimator == CurveEstimator::logistic
              ? logistic_level_interval(*rule.level, curve.logistic, level_x, means, people)
              : level_interval(*rule.level, level_x, means, people);
 }
@@ -64,7 +64,7 @@ void add_intervals(const ArtifactScores& scores, const std::vector<double>& leve
   result.slightly_noticeable_logistic_bootstrap = bootstrap.slightly_noticeable_logistic;
   const auto resampled = [&](const ThresholdRule& rule) {
     if (!rule.level) return bootstrap.inflection;
-    const bool logistic = rule.estimator == Estimator::logistic, pt = *rule.level == perceptual_level;
+    const bool logistic = rule.estimator == CurveEstimator::logistic, pt = *rule.level == perceptual_level;
     if (logistic) return pt ? bootstrap.perceptual_logistic : bootstrap.slightly_noticeable_logistic;
     return pt ? bootstrap.perceptual : bootstrap.slightly_noticeable;
   };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "analysis/ordinal/contrasts/contrasts.h"
 #include "analysis/statistics/distributions.h"
 #include "support/text/numbers.h"
 
@@ -101,16 +102,13 @@ GroupDifference difference_over_people(const FittedGroup& first, const FittedGro
   return difference;
 }
 
-/// Holm's step-down adjustment of those that were tested.
-void adjust_by_holm(std::vector<GroupDifference*> family) {
-  std::erase_if(family, [](const GroupDifference* one) { return std::isnan(one->p); });
-  std::stable_sort(family.begin(), family.end(),
-                   [](const GroupDifference* a, const GroupDifference* b) { return a->p < b->p; });
-  double largest = 0;
-  for (std::size_t i = 0; i < family.size(); ++i) {
-    largest = std::max(largest, std::min(1.0, static_cast<double>(family.size() - i) * family[i]->p));
-    family[i]->adjusted_p = largest;
-  }
+/// Of the pairs that were tested, all together.
+void adjust(std::vector<GroupPair>& pairs, GroupDifference GroupPair::*quantity) {
+  std::vector<double> p;
+  for (const GroupPair& pair : pairs) p.push_back((pair.*quantity).p);
+  const std::vector<double> adjusted = holm_adjusted(p);
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    if (!std::isnan(p[i])) (pairs[i].*quantity).adjusted_p = adjusted[i];
 }
 
 }  // namespace
@@ -132,13 +130,8 @@ std::vector<GroupPair> group_pairs(const std::vector<FittedGroup>& groups) {
     }
   std::stable_sort(pairs.begin(), pairs.end(),
                    [](const GroupPair& a, const GroupPair& b) { return a.first < b.first; });
-  std::vector<GroupDifference*> thresholds, widths;
-  for (GroupPair& pair : pairs) {
-    thresholds.push_back(&pair.threshold);
-    widths.push_back(&pair.log2_width);
-  }
-  adjust_by_holm(thresholds);
-  adjust_by_holm(widths);
+  adjust(pairs, &GroupPair::threshold);
+  adjust(pairs, &GroupPair::log2_width);
   return pairs;
 }
 

@@ -95,7 +95,7 @@ std::string score_plots(const JointAnalysis& joint, const LevelsDrawn& drawn, st
         "{0}$score{1}x{2} using 1:3 with lines lc rgb '{3}' lw 1.4 notitle, \\\n"
         "     $score{1}x{2} using 1:2 with points lc rgb '{3}' pt {4} ps 0.5 {5}",
         plots.empty() ? "plot " : ", \\\n     ", index, score, style.colour, style.point,
-        index == 0 ? fmt::format("title '{}'", names[static_cast<std::size_t>(score)]) : "notitle");
+        index == 0 ? fmt::format("title '{}'", names[score]) : "notitle");
   }
   return blocks + plots + "\n";
 }

@@ -8,7 +8,6 @@
 #include "analysis/log_analysis/threshold_rows.h"
 #include "analysis/report/page/checks_section.h"
 #include "analysis/report/page/comparisons_section.h"
-#include "analysis/report/page/differences_section.h"
 #include "analysis/report/page/html_parts.h"
 #include "analysis/report/page/joint_section.h"
 #include "analysis/report/page/methods_text.h"
@@ -18,9 +17,9 @@
 #include "analysis/report/page/people_section.h"
 #include "analysis/report/page/preregistration_section.h"
 #include "analysis/report/page/psychometric_section.h"
-#include "analysis/report/page/replication_section.h"
 #include "analysis/report/page/samples_section.h"
 #include "analysis/report/page/thresholds_section.h"
+#include "analysis/report/text/replication_text.h"
 #include "analysis/report/text/threshold_text.h"
 #include "analysis/scores/level_words.h"
 #include "support/files/assets.h"
@@ -191,6 +190,49 @@ constexpr const char* data_section =
     "<code>report.json</code> holds all the tables, <code>thresholds.json</code> the thresholds and what "
     "they rest on; <code>data_dictionary.csv</code> explains every column and field. <code>figures</code> "
     "holds the figures as SVG, as PDF for a column of 85 mm, and as gnuplot scripts.</p>\n";
+
+/// What thresholds differ by between conditions; empty where the study has one.
+std::string differences_html(const Analysis& analysis) {
+  if (!has_conditions(analysis.data)) return "";
+  std::string html = "<h2 id=\"differences\">Differences between conditions</h2>\n";
+  if (analysis.differences.empty())
+    return html + html_paragraph(analysis.adaptive
+                                     ? "Conditions are not compared: levels were placed by the answers."
+                                     : "Conditions are not compared: no artifact was shown in two of them.");
+  const LevelAxis& axis = analysis.data.axis;
+  std::vector<std::vector<std::string>> lines;
+  const ThresholdDifference* last = nullptr;
+  for (const ThresholdDifference& found : analysis.differences) {
+    const bool same =
+        last != nullptr && last->artifact == found.artifact && last->condition == found.condition;
+    lines.push_back({same ? "" : artifact_title(found.artifact),
+                     same ? "" : fmt::format("{} − {}", found.condition, found.to), found.quantity,
+                     found.text});
+    last = &found;
+  }
+  html += fmt::format(
+      "<p>How far the thresholds of a condition lie from those of the first, along the axis of levels, in "
+      "{}{}, "
+      "with the 95 % interval over participants.</p>\n",
+      length_unit(axis), is_linear(axis) ? "" : " (1: twice the level)");
+  return html + html_table({{"artifact"}, {"condition"}, {""}, {"difference, " + length_unit(axis)}}, lines) +
+         "<p class=\"soft\">Above, below: the answers exclude no value on the other side, so only a bound is "
+         "known. Between: a curve is a step there, and all differences between are as likely.</p>\n";
+}
+
+/// Published thresholds beside those of the study; empty where none were given.
+std::string replication_html(const Analysis& analysis) {
+  if (!analysis.replication) return "";
+  std::vector<HtmlColumn> columns;
+  for (const std::string& title : replication_titles(analysis)) columns.push_back({title});
+  columns.back().sentence = true;
+  std::string html = "<h2 id=\"published\">Published thresholds</h2>\n" +
+                     html_paragraph("Beside " + analysis.replication->name +
+                                    ". Differences are this study’s threshold less the published one.") +
+                     html_table(columns, replication_lines(analysis));
+  for (const std::string& sentence : replication_sentences(analysis)) html += html_paragraph(sentence);
+  return html;
+}
 
 }  // namespace
 

@@ -117,8 +117,8 @@ CsvTable guessers_table(const Analysis& analysis) {
     table.rows.push_back({fmt::format("chooses position {}", position + 1), guessers.position[position],
                           source_text(analysis)});
   for (int rating = 1; rating <= study::highest_rating; ++rating)
-    table.rows.push_back({fmt::format("rates {}", rating),
-                          guessers.rating[static_cast<std::size_t>(rating - 1)], source_text(analysis)});
+    table.rows.push_back(
+        {fmt::format("rates {}", rating), guessers.rating[rating - 1], source_text(analysis)});
   return table;
 }
 

@@ -105,9 +105,9 @@ CsvTable thresholds_people_table(const Analysis& analysis) {
                  .rows = {}};
   if (analysis.joint)
     for (const PersonThreshold& one : analysis.joint->people.thresholds) {
-      const CurveLabel& label = analysis.joint->labels[static_cast<std::size_t>(one.curve)];
+      const CurveLabel& label = analysis.joint->labels[one.curve];
       const LevelRange ci95 = range_at(axis, one.ci95);
-      table.rows.push_back({analysis.joint->data.people[static_cast<std::size_t>(one.person)], label.artifact,
+      table.rows.push_back({analysis.joint->data.people[one.person], label.artifact,
                             finite(level_at(axis, one.x)), number(closed(ci95.low)),
                             number(closed(ci95.high)), one.answers});
       conditions.push_back(label.condition);
@@ -130,7 +130,7 @@ CsvTable joint_cells_table(const Analysis& analysis) {
                  .rows = {}};
   if (analysis.joint && analysis.joint->goodness)
     for (const ScoreCell& cell : analysis.joint->goodness->cells) {
-      const CurveLabel& label = analysis.joint->labels[static_cast<std::size_t>(cell.curve)];
+      const CurveLabel& label = analysis.joint->labels[cell.curve];
       table.rows.push_back({label.artifact,
                             level_value(axis, std::isfinite(cell.x) ? level_at(axis, cell.x) : 0.0),
                             whole(cell.score), cell.observed, cell.expected});
