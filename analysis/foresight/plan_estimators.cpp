@@ -29,15 +29,15 @@ LevelInterval difference_interval(const Eigen::MatrixXd& scores, const Eigen::Ma
   Eigen::MatrixXd joint(scores.rows(), scores.cols() + against.cols());
   joint << scores, against;
   std::vector<LevelInterval> replicates(replicates_of_a_difference);
-  for_each_replicate(
-      joint, {.replicates = replicates_of_a_difference, .seed = seed, .threads = 1},
-      [&](int replicate, const Eigen::VectorXd& mean) {
-        const std::span<const double> means(mean.data(), static_cast<std::size_t>(mean.size()));
-        const LevelInterval to = crossing_range(level, level_x, means.first(level_x.size()));
-        const LevelInterval from = crossing_range(level, level_x, means.last(level_x.size()));
-        replicates[static_cast<std::size_t>(replicate)] = {.low_x = distance_between(to.low_x, from.high_x),
-                                                           .high_x = distance_between(to.high_x, from.low_x)};
-      });
+  for_each_replicate(joint, {.replicates = replicates_of_a_difference, .seed = seed, .threads = 1},
+                     [&](int replicate, const Eigen::VectorXd& mean) {
+                       const std::span<const double> means(mean.data(),
+                                                           static_cast<std::size_t>(mean.size()));
+                       const LevelInterval to = crossing_range(level, level_x, means.first(level_x.size()));
+                       const LevelInterval from = crossing_range(level, level_x, means.last(level_x.size()));
+                       replicates[replicate] = {.low_x = distance_between(to.low_x, from.high_x),
+                                                .high_x = distance_between(to.high_x, from.low_x)};
+                     });
   return percentile_interval(replicates, expanded_levels(static_cast<int>(scores.rows())));
 }
 

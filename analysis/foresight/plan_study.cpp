@@ -171,9 +171,7 @@ std::vector<SimulatedStudy> simulate_studies(const PlanRequest& request, const P
   Progress progress("simulated studies", request.studies);
   int shown = 0;
   run_parallel(request.studies, request.threads,
-               [&](int study) {
-                 studies[static_cast<std::size_t>(study)] = simulate_study(request, population, plan, study);
-               },
+               [&](int study) { studies[study] = simulate_study(request, population, plan, study); },
                {.tick = [&](int finished) {
                  if (finished > shown) progress.advance(finished - shown, "");
                  shown = finished;

@@ -17,7 +17,7 @@ namespace {
 std::vector<int> curves_with_numbers(const JointFit& fit) {
   std::vector<int> curves;
   for (int c = 0; c < fit.model.curves; ++c)
-    if (fit.curves[static_cast<std::size_t>(c)] == CurveVerdict::estimated) curves.push_back(c);
+    if (fit.curves[c] == CurveVerdict::estimated) curves.push_back(c);
   return curves;
 }
 
@@ -32,8 +32,7 @@ using SamePair = std::function<bool(const CurveLabel& a, const CurveLabel& b)>;
 
 Contrast shift_contrast(const JointModel& model, const std::vector<CurveLabel>& labels, int from, int to,
                         const LevelAxis& axis) {
-  const std::string a = text_of_label(labels[static_cast<std::size_t>(from)]),
-                    b = text_of_label(labels[static_cast<std::size_t>(to)]);
+  const std::string a = text_of_label(labels[from]), b = text_of_label(labels[to]);
   Contrast contrast{
       .name = b + " - " + a,
       .weights = Eigen::VectorXd::Zero(model.parameters()),
@@ -47,8 +46,7 @@ Contrast shift_contrast(const JointModel& model, const std::vector<CurveLabel>& 
 }
 
 Contrast slope_contrast(const JointModel& model, const std::vector<CurveLabel>& labels, int from, int to) {
-  const std::string a = text_of_label(labels[static_cast<std::size_t>(from)]),
-                    b = text_of_label(labels[static_cast<std::size_t>(to)]);
+  const std::string a = text_of_label(labels[from]), b = text_of_label(labels[to]);
   Contrast contrast{.name = b + " - " + a,
                     .weights = Eigen::VectorXd::Zero(model.parameters()),
                     .more = fmt::format("noticeability of {} falls more steeply than that of {}", b, a),
@@ -83,10 +81,9 @@ void add_table(const std::string& question, const JointFit& fit, const JointJack
 void add_shifts(const JointFit& fit, const JointJackknife& left_out, const std::vector<CurveLabel>& labels,
                 const LevelAxis& axis, JointContrasts& into) {
   for (int c = 0; c < fit.model.curves; ++c)
-    if (const CurveVerdict verdict = fit.curves[static_cast<std::size_t>(c)];
-        verdict != CurveVerdict::estimated)
-      into.notes.push_back(fmt::format("{} is left out of the comparisons: {}.",
-                                       text_of_label(labels[static_cast<std::size_t>(c)]), word(verdict)));
+    if (const CurveVerdict verdict = fit.curves[c]; verdict != CurveVerdict::estimated)
+      into.notes.push_back(
+          fmt::format("{} is left out of the comparisons: {}.", text_of_label(labels[c]), word(verdict)));
   if (!fit.estimated()) {
     into.notes.push_back("Thresholds are not compared: " + fit.explanation);
     return;
@@ -163,7 +160,7 @@ JointData split_by_part(const JointData& data, const std::vector<Eigen::MatrixXd
       cell.curve += k * curves;
       split.cells.push_back(cell);
     }
-    split.answers.middleCols(k * width, width) = parts[static_cast<std::size_t>(k)];
+    split.answers.middleCols(k * width, width) = parts[k];
   }
   return split;
 }

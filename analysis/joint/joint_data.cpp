@@ -47,8 +47,7 @@ double chance_of_cell(const Eigen::VectorXd& counts, const CellShape& shape, con
   if (!(counts.sum() > 0)) return 1.0 / shape.positions;
   double sum = 0;
   for (int right = 0; right < shape.positions; ++right)
-    sum += counts.segment(right * shape.of_trial(), shape.of_trial()).sum() *
-           guessers.position[static_cast<std::size_t>(right)];
+    sum += counts.segment(right * shape.of_trial(), shape.of_trial()).sum() * guessers.position[right];
   return sum / counts.sum();
 }
 
@@ -70,7 +69,7 @@ void check_joint_data(const JointData& data) {
       refuse_joint(name, "a finite level, or one with nothing to see", fmt::format("{}", cell.x));
     if (!(cell.chance > 0 && cell.chance < 1))
       refuse_joint(name, "a chance between 0 and 1", fmt::format("{}", cell.chance));
-    ++cells[static_cast<std::size_t>(cell.curve)];
+    ++cells[cell.curve];
   }
   for (std::size_t c = 0; c < cells.size(); ++c)
     if (cells[c] == 0) refuse_joint("curve " + data.curves[c], "at least one level", "none");
@@ -90,7 +89,7 @@ JointData joint_data(const GuessTrials& trials, const LevelAxis& axis, const Gue
   data.answers = Eigen::MatrixXd::Zero(people, cells * width);
   data.references = Eigen::MatrixXd::Zero(people, width / 2);
   for (Eigen::Index c = 0; c < cells; ++c) {
-    const GuessCell& cell = trials.cells[static_cast<std::size_t>(c)];
+    const GuessCell& cell = trials.cells[c];
     const GuessCell& before = trials.cells[static_cast<std::size_t>(c > 0 ? c - 1 : 0)];
     if (c == 0 || cell.artifact != before.artifact || cell.condition != before.condition)
       data.curves.push_back(std::string(word(cell.artifact)) + in_condition(cell.condition));

@@ -128,7 +128,7 @@ bool every_curve(const JointFit& fit, CurveVerdict verdict) {
 void mark_steps(JointFit& fit, const JointCounts& counts) {
   std::optional<bool> shared;
   for (int c = 0; c < fit.model.curves; ++c) {
-    CurveVerdict& curve = fit.curves[static_cast<std::size_t>(c)];
+    CurveVerdict& curve = fit.curves[c];
     if (curve != CurveVerdict::estimated) continue;
     const bool known = shared ? *shared : excludes_step(fit, counts, c);
     if (fit.model.sharing.scale) shared = known;

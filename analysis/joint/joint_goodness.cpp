@@ -57,7 +57,7 @@ void draw_shifts(const JointPeople& people, Random& random, std::vector<double>&
 /// Answers of `asked` people to a cell, all of them with one shift.
 void add_answers(const JointModel& model, JointCurve curve, Eigen::Index c, double shift, int asked,
                  Random& random, JointCounts& counts) {
-  const JointCell& cell = model.cells[static_cast<std::size_t>(c)];
+  const JointCell& cell = model.cells[c];
   curve.m += shift;
   const Eigen::VectorXd probabilities = outcome_probabilities(curve, cell.x, cell.chance);
   for (int i = 0; i < asked; ++i)
@@ -75,8 +75,7 @@ void add_answers_of_many(const JointModel& model, const JointPeople& people, con
   for (Eigen::Index p = 0; p < answers.rows(); ++p) {
     draw_shifts(people, random, shift);
     for (Eigen::Index c = 0; c < answers.cols(); ++c) {
-      const double away =
-          shift[static_cast<std::size_t>(model.cells[static_cast<std::size_t>(c)].curve)] / step;
+      const double away = shift[static_cast<std::size_t>(model.cells[c].curve)] / step;
       asked(c, farthest + static_cast<Eigen::Index>(
                               std::lround(std::clamp<double>(away, -farthest, farthest)))) += answers(p, c);
     }
@@ -84,7 +83,7 @@ void add_answers_of_many(const JointModel& model, const JointPeople& people, con
   for (Eigen::Index c = 0; c < asked.rows(); ++c)
     for (Eigen::Index s = 0; s < asked.cols(); ++s)
       if (asked(c, s) > 0)
-        add_answers(model, group[static_cast<std::size_t>(model.cells[static_cast<std::size_t>(c)].curve)], c,
+        add_answers(model, group[static_cast<std::size_t>(model.cells[c].curve)], c,
                     static_cast<double>(s - farthest) * step, asked(c, s), random, counts);
 }
 
@@ -103,7 +102,7 @@ JointCounts simulate_answers(const JointModel& model, const JointPeople& people,
     for (Eigen::Index p = 0; p < answers.rows(); ++p) {
       draw_shifts(people, random, shift);
       for (Eigen::Index c = 0; c < answers.cols(); ++c) {
-        const auto curve = static_cast<std::size_t>(model.cells[static_cast<std::size_t>(c)].curve);
+        const auto curve = static_cast<std::size_t>(model.cells[c].curve);
         if (answers(p, c) > 0)
           add_answers(model, group[curve], c, shift[curve], answers(p, c), random, counts);
       }
@@ -166,7 +165,7 @@ JointGoodness joint_goodness(const JointFit& fit, const JointData& data, const J
     Random random(request.seed, static_cast<std::uint64_t>(replicate));
     const JointCounts drawn = simulate_answers(fit.model, people, answers, references, random);
     if (const std::optional<Eigen::VectorXd> top = climb_joint(fit.model, drawn, fit.theta))
-      replicates[static_cast<std::size_t>(replicate)] = distances(fit.model, drawn.cells, *top);
+      replicates[replicate] = distances(fit.model, drawn.cells, *top);
   });
   int further_choices = 0, further_ratings = 0;
   for (const OutcomeDistances& one : replicates) {

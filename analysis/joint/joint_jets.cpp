@@ -78,13 +78,13 @@ Jet cut_jet(const CurveTerms& terms, const Jet& z, std::size_t k) {
 /// g(r), r from 0.
 Jet guess_jet(const JointCurve& curve, int r) {
   Jet guess;
-  const double g = curve.g[static_cast<std::size_t>(r)];
+  const double g = curve.g[r];
   guess.value = g;
   for (Eigen::Index i = 0; i < curve.ratings - 1; ++i) {
-    const double gi = curve.g[static_cast<std::size_t>(i) + 1], is_i = i + 1 == r ? 1 : 0;
+    const double gi = curve.g[i + 1], is_i = i + 1 == r ? 1 : 0;
     guess.d[at_guess + i] = g * (is_i - gi);
     for (Eigen::Index j = 0; j < curve.ratings - 1; ++j) {
-      const double gj = curve.g[static_cast<std::size_t>(j) + 1], is_j = j + 1 == r ? 1 : 0;
+      const double gj = curve.g[j + 1], is_j = j + 1 == r ? 1 : 0;
       guess.dd(at_guess + i, at_guess + j) = g * ((is_i - gi) * (is_j - gj) - (i == j ? gj : 0) + gi * gj);
     }
   }
@@ -108,14 +108,13 @@ CurveTerms terms_of(const JointModel& model, const Eigen::VectorXd& theta, int c
   terms.to[at_m] = model.threshold(curve);
   terms.to[at_scale] = model.log_scale(curve);
   terms.to[at_lapse] = model.lapse(curve);
-  for (int r = 0; r < model.ratings; ++r)
-    terms.guess[static_cast<std::size_t>(r)] = guess_jet(terms.curve, r);
+  for (int r = 0; r < model.ratings; ++r) terms.guess[r] = guess_jet(terms.curve, r);
   if (model.ratings == 1) return terms;
   terms.to[at_spread] = model.log_spread(curve);
   for (Eigen::Index k = 0; k < model.ratings - 1; ++k) {
-    terms.to[static_cast<std::size_t>(at_cut + k)] = model.first_cut(curve) + k;
-    terms.to[static_cast<std::size_t>(at_guess + k)] = model.first_guess(curve) + k;
-    terms.distance[static_cast<std::size_t>(k)] = k == 0 ? 1 : std::exp(theta[model.first_cut(curve) + k]);
+    terms.to[at_cut + k] = model.first_cut(curve) + k;
+    terms.to[at_guess + k] = model.first_guess(curve) + k;
+    terms.distance[k] = k == 0 ? 1 : std::exp(theta[model.first_cut(curve) + k]);
   }
   return terms;
 }

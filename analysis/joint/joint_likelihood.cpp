@@ -26,9 +26,9 @@ void add_cell(const CurveTerms& terms, const JointCell& cell, const Counts& coun
   const int ratings = terms.curve.ratings;
   const double wrong = counts.tail(ratings).sum(), b = cell.chance;
   sum.value += wrong * std::log(1 - b);
-  for (int r = 0; r < ratings; ++r) sum.guesses[static_cast<std::size_t>(r)] += counts[ratings + r];
+  for (int r = 0; r < ratings; ++r) sum.guesses[r] += counts[ratings + r];
   if (!std::isfinite(cell.x)) {
-    for (int r = 0; r < ratings; ++r) sum.guesses[static_cast<std::size_t>(r)] += counts[r];
+    for (int r = 0; r < ratings; ++r) sum.guesses[r] += counts[r];
     sum.value += counts.head(ratings).sum() * std::log(b);
     return;
   }
@@ -42,7 +42,7 @@ void add_cell(const CurveTerms& terms, const JointCell& cell, const Counts& coun
   }
   for (int r = 0; r < ratings; ++r) {
     if (!(counts[r] > 0)) continue;
-    const Jet &q = level.q[static_cast<std::size_t>(r)], &g = terms.guess[static_cast<std::size_t>(r)];
+    const Jet &q = level.q[r], &g = terms.guess[r];
     const double p = std::max(least_probability, seen.value * q.value + unseen * b * g.value);
     const double weight = counts[r] / p, difference = q.value - b * g.value;
     const CurveVector d = difference * seen.d + seen.value * q.d + unseen * b * g.d;
@@ -65,10 +65,10 @@ void add_guesses(const JointCurve& curve, const std::array<double, most_joint_ra
     if (counts[place] > 0) sum.value += counts[place] * std::log(std::max(least_probability, curve.g[place]));
   }
   for (Eigen::Index i = 0; i < curve.ratings - 1; ++i) {
-    const double gi = curve.g[static_cast<std::size_t>(i) + 1];
-    sum.gradient[at_guess + i] += counts[static_cast<std::size_t>(i) + 1] - all * gi;
+    const double gi = curve.g[i + 1];
+    sum.gradient[at_guess + i] += counts[i + 1] - all * gi;
     for (Eigen::Index j = 0; j < curve.ratings - 1; ++j) {
-      const double gj = curve.g[static_cast<std::size_t>(j) + 1];
+      const double gj = curve.g[j + 1];
       sum.hessian(at_guess + i, at_guess + j) -= all * ((i == j ? gi : 0) - gi * gj);
     }
   }
@@ -135,8 +135,7 @@ Evaluation joint_likelihood(const JointModel& model, const JointCounts& counts,
     }
     // Nobody's curve is shown in a reference trial: where curves have their own guess ratings each has a
     // share.
-    for (int r = 0; r < model.ratings; ++r)
-      sum.guesses[static_cast<std::size_t>(r)] += counts.references[r] / model.curves;
+    for (int r = 0; r < model.ratings; ++r) sum.guesses[r] += counts.references[r] / model.curves;
     add_guesses(terms.curve, sum.guesses, sum);
     spread_into(terms, sum, total);
   }
@@ -151,11 +150,11 @@ Eigen::MatrixXd outcome_scores(const JointModel& model, const Eigen::VectorXd& t
   for (int curve = 0; curve < model.curves; ++curve) curves.push_back(terms_of(model, theta, curve));
   for (std::size_t c = 0; c < model.cells.size(); ++c) {
     const JointCell& cell = model.cells[c];
-    const CurveTerms& terms = curves[static_cast<std::size_t>(cell.curve)];
+    const CurveTerms& terms = curves[cell.curve];
     const bool visible = std::isfinite(cell.x);
     const LevelJets level = visible ? level_jets(terms, cell.x) : LevelJets{.seen = {}, .unseen = 1, .q = {}};
     for (Eigen::Index r = 0; r < model.ratings; ++r) {
-      const Jet &q = level.q[static_cast<std::size_t>(r)], &g = terms.guess[static_cast<std::size_t>(r)];
+      const Jet &q = level.q[r], &g = terms.guess[r];
       const double b = cell.chance, guessed = level.unseen * b,
                    p = std::max(least_probability, level.seen.value * q.value + guessed * g.value);
       const Eigen::Index right = static_cast<Eigen::Index>(c) * width + r;
@@ -190,14 +189,13 @@ double joint_log_likelihood(const JointModel& model, const JointCounts& counts,
     curves.push_back(curve_at(model, theta, curve));
     for (int r = 0; r < model.ratings; ++r)
       if (counts.references[r] > 0)
-        value += counts.references[r] / model.curves *
-                 std::log(std::max(least_probability, curves.back().g[static_cast<std::size_t>(r)]));
+        value +=
+            counts.references[r] / model.curves * std::log(std::max(least_probability, curves.back().g[r]));
   }
   for (std::size_t c = 0; c < model.cells.size(); ++c) {
     const auto of_cell = counts.cells.segment(static_cast<Eigen::Index>(c) * width, width);
     const JointCell& cell = model.cells[c];
-    const Eigen::VectorXd p =
-        outcome_probabilities(curves[static_cast<std::size_t>(cell.curve)], cell.x, cell.chance);
+    const Eigen::VectorXd p = outcome_probabilities(curves[cell.curve], cell.x, cell.chance);
     for (Eigen::Index o = 0; o < width; ++o)
       if (of_cell[o] > 0) value += of_cell[o] * std::log(std::max(least_probability, p[o]));
   }

@@ -15,7 +15,7 @@ std::array<double, 5> normal_derivatives(double z) {
 
 double mean_guess(const JointCurve& curve) {
   double mean = 0;
-  for (int r = 0; r < curve.ratings; ++r) mean += (r + 1) * curve.g[static_cast<std::size_t>(r)];
+  for (int r = 0; r < curve.ratings; ++r) mean += (r + 1) * curve.g[r];
   return mean;
 }
 
@@ -24,9 +24,7 @@ double product(const std::array<double, 5>& f, const std::array<double, 4>& m, i
   constexpr std::array<std::array<double, 4>, 4> binomial = {
       {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}}};
   double sum = 0;
-  for (int i = 0; i <= order; ++i)
-    sum += binomial[static_cast<std::size_t>(order)][static_cast<std::size_t>(i)] *
-           f[static_cast<std::size_t>(order - i)] * m[static_cast<std::size_t>(i)];
+  for (int i = 0; i <= order; ++i) sum += binomial[order][i] * f[order - i] * m[i];
   return sum;
 }
 
@@ -57,7 +55,7 @@ MeanAtZ mean_at_z(const JointCurve& curve, JointMean mean, double chance, double
     }
   }
   MeanAtZ at;
-  for (int n = 0; n < 4; ++n) at.z[static_cast<std::size_t>(n)] = rest * product(f, m, n);
+  for (int n = 0; n < 4; ++n) at.z[n] = rest * product(f, m, n);
   at.z[0] += c;
   const double share = curve.lapse / most_lapse, lapse_d = curve.lapse * (1 - share);
   for (const int order : {0, 2}) {
@@ -69,7 +67,7 @@ MeanAtZ mean_at_z(const JointCurve& curve, JointMean mean, double chance, double
       const double moved = j == 0 ? 1 : curve.t[j] - curve.t[j - 1];
       for (std::size_t k = j; k < cuts; ++k) into.cut[j] += moved * rest * product(f, by_cut[k], order);
     }
-    const double by_c = (order == 0 ? 1.0 : 0.0) - rest * f[static_cast<std::size_t>(order)];
+    const double by_c = (order == 0 ? 1.0 : 0.0) - rest * f[order];
     for (std::size_t r = 0; counted && r < cuts; ++r)
       into.guess[r] = by_c * chance * curve.g[r + 1] * (static_cast<double>(r) + 2 - mean_guess(curve));
   }

@@ -75,8 +75,7 @@ JointModel joint_model(const JointData& data, const JointSharing& sharing) {
 std::vector<std::string> parameter_names(const JointModel& model, const std::vector<std::string>& curves) {
   std::vector<std::string> names(static_cast<std::size_t>(model.parameters()));
   const auto name = [&](Eigen::Index at, const std::string& text, bool shared, int curve) {
-    names[static_cast<std::size_t>(at)] =
-        shared ? text : text + " " + curves[static_cast<std::size_t>(curve)];
+    names[at] = shared ? text : text + " " + curves[curve];
   };
   for (int c = 0; c < model.curves; ++c) {
     name(model.threshold(c), "m", false, c);
@@ -113,8 +112,7 @@ JointCurve curve_at(const JointModel& model, const Eigen::VectorXd& theta, int c
   double sum = std::exp(-highest);
   for (Eigen::Index r = 0; r < h.size(); ++r) sum += std::exp(h[r] - highest);
   at.g[0] = std::exp(-highest) / sum;
-  for (Eigen::Index r = 0; r < h.size(); ++r)
-    at.g[static_cast<std::size_t>(r) + 1] = std::exp(h[r] - highest) / sum;
+  for (Eigen::Index r = 0; r < h.size(); ++r) at.g[r + 1] = std::exp(h[r] - highest) / sum;
   return at;
 }
 
@@ -126,8 +124,8 @@ Eigen::VectorXd outcome_probabilities(const JointCurve& curve, double x, double 
   double above = 1;  // P(R >= r | seen)
   for (int r = 0; r < curve.ratings; ++r) {
     const bool last = r + 1 == curve.ratings;
-    const double next = last ? 0 : normal_of_z((z - curve.t[static_cast<std::size_t>(r)]) / curve.rho);
-    const double guess = unseen * curve.g[static_cast<std::size_t>(r)];
+    const double next = last ? 0 : normal_of_z((z - curve.t[r]) / curve.rho);
+    const double guess = unseen * curve.g[r];
     p[r] = seen * std::max(0.0, above - next) + chance * guess;
     p[curve.ratings + r] = (1 - chance) * guess;
     above = next;

@@ -51,10 +51,8 @@ OneCurve one_curve(const JointModel& model, const JointData& data, int curve) {
     one.model.cells.back().curve = 0;
     for (Eigen::Index i = 0; i < width; ++i) columns.push_back(static_cast<Eigen::Index>(c) * width + i);
   }
-  one.to.resize(static_cast<std::size_t>(one.model.parameters()));
-  const auto map = [&](Eigen::Index from, Eigen::Index into) {
-    one.to[static_cast<std::size_t>(from)] = into;
-  };
+  one.to.resize(one.model.parameters());
+  const auto map = [&](Eigen::Index from, Eigen::Index into) { one.to[from] = into; };
   map(one.model.threshold(0), model.threshold(curve));
   map(one.model.log_scale(0), model.log_scale(curve));
   map(one.model.lapse(0), model.lapse(curve));
@@ -96,7 +94,7 @@ void add_integral(const PlacedProblem& problem, const OneCurve& one, const Joint
   const double between = std::exp(theta[problem.model.log_between()]);
   const auto own_size = static_cast<Eigen::Index>(one.to.size());
   Eigen::VectorXd own(own_size);
-  for (Eigen::Index i = 0; i < own_size; ++i) own[i] = theta[one.to[static_cast<std::size_t>(i)]];
+  for (Eigen::Index i = 0; i < own_size; ++i) own[i] = theta[one.to[i]];
   const double middle = own[0];
   const std::vector<PeopleNode>& nodes = people_nodes();
   std::vector<double> value(nodes.size());
@@ -130,9 +128,7 @@ void add_integral(const PlacedProblem& problem, const OneCurve& one, const Joint
   }
   second -= mean * mean.transpose();
   sum.value += highest + std::log(all);
-  const auto place = [&](Eigen::Index i) {
-    return i == own_size ? problem.model.log_between() : one.to[static_cast<std::size_t>(i)];
-  };
+  const auto place = [&](Eigen::Index i) { return i == own_size ? problem.model.log_between() : one.to[i]; };
   for (Eigen::Index i = 0; i <= own_size; ++i) {
     sum.gradient[place(i)] += mean[i];
     for (Eigen::Index j = 0; j <= own_size; ++j) sum.hessian(place(i), place(j)) += second(i, j);

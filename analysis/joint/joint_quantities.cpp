@@ -20,8 +20,8 @@ void add_shape(const JointModel& model, int curve, const MeanAtZ::ByShape& shape
   if (model.ratings == 1) return;
   gradient[model.log_spread(curve)] += factor * shape.spread;
   for (Eigen::Index k = 0; k < model.ratings - 1; ++k) {
-    gradient[model.first_cut(curve) + k] += factor * shape.cut[static_cast<std::size_t>(k)];
-    gradient[model.first_guess(curve) + k] += factor * shape.guess[static_cast<std::size_t>(k)];
+    gradient[model.first_cut(curve) + k] += factor * shape.cut[k];
+    gradient[model.first_guess(curve) + k] += factor * shape.guess[k];
   }
 }
 
@@ -61,7 +61,7 @@ std::optional<JointPlace> place_of_inflection(const JointModel& model, const Joi
   const double chance = chance_of_curve(model, curve);
   constexpr int places = 81;
   const double least = std::min(-4.0, at.t[0] - 4 * at.rho),
-               most = std::max(4.0, at.t[static_cast<std::size_t>(model.ratings) - 2] + 4 * at.rho);
+               most = std::max(4.0, at.t[model.ratings - 2] + 4 * at.rho);
   const auto z_at = [&](int i) { return least + (most - least) * i / (places - 1); };
   int steepest = 0;
   double slope = 0;

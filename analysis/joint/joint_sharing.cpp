@@ -20,7 +20,7 @@ namespace {
 /// Which coordinate of the poorer model stands for each of the richer one.
 std::vector<Eigen::Index> poorer_of(const JointModel& rich, const JointModel& poor) {
   std::vector<Eigen::Index> map(static_cast<std::size_t>(rich.parameters()));
-  const auto to = [&](Eigen::Index from, Eigen::Index into) { map[static_cast<std::size_t>(from)] = into; };
+  const auto to = [&](Eigen::Index from, Eigen::Index into) { map[from] = into; };
   for (int c = 0; c < rich.curves; ++c) {
     to(rich.threshold(c), poor.threshold(c));
     to(rich.log_scale(c), poor.log_scale(c));
@@ -40,7 +40,7 @@ Eigen::MatrixXd differences_of_copies(const std::vector<Eigen::Index>& map, Eige
   Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(rich, rich - poor);
   Eigen::Index column = 0;
   for (Eigen::Index i = 0; i < rich; ++i) {
-    Eigen::Index& before = first[static_cast<std::size_t>(map[static_cast<std::size_t>(i)])];
+    Eigen::Index& before = first[static_cast<std::size_t>(map[i])];
     if (before < 0) {
       before = i;
       continue;
@@ -83,8 +83,8 @@ SharingTest test_block(const std::string& name, const JointFit& fit, const Joint
   Eigen::VectorXd theta(rich.parameters());
   Eigen::MatrixXd embed = Eigen::MatrixXd::Zero(rich.parameters(), fit.model.parameters());
   for (Eigen::Index i = 0; i < rich.parameters(); ++i) {
-    theta[i] = fit.theta[map[static_cast<std::size_t>(i)]];
-    embed(i, map[static_cast<std::size_t>(i)]) = 1;
+    theta[i] = fit.theta[map[i]];
+    embed(i, map[i]) = 1;
   }
   test.parameters = static_cast<int>(rich.parameters() - fit.model.parameters());
   if (fit.people <= test.parameters) {
@@ -103,7 +103,7 @@ SharingTest test_block(const std::string& name, const JointFit& fit, const Joint
 
 /// Derivative of P(R >= k | seen) by the logarithm of its own spread, k from 2.
 double by_own_spread(const JointCurve& curve, double x, int k) {
-  const double u = ((curve.m - x) / curve.s - curve.t[static_cast<std::size_t>(k) - 2]) / curve.rho;
+  const double u = ((curve.m - x) / curve.s - curve.t[k - 2]) / curve.rho;
   return -u * std::exp(-u * u / 2) / std::sqrt(2 * std::numbers::pi);
 }
 

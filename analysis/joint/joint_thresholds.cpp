@@ -59,7 +59,7 @@ RoughPlace rough_place(const JointFit& fit, const JointJackknife& left_out, int 
 }
 
 std::string reason_without_numbers(const JointFit& fit, int curve) {
-  const CurveVerdict verdict = fit.curves[static_cast<std::size_t>(curve)];
+  const CurveVerdict verdict = fit.curves[curve];
   if (verdict != CurveVerdict::estimated) return std::string(word(verdict));
   return std::string(word(fit.verdict));
 }
@@ -176,8 +176,7 @@ double simultaneous_t(const std::vector<RoughPlace>& places, const JointJackknif
   Eigen::MatrixXd correlation = Eigen::MatrixXd::Identity(count, count);
   for (Eigen::Index i = 0; i < count; ++i)
     for (Eigen::Index j = 0; j < i; ++j) {
-      const double value = gradients[static_cast<std::size_t>(i)].dot(left_out.covariance *
-                                                                      gradients[static_cast<std::size_t>(j)]);
+      const double value = gradients[i].dot(left_out.covariance * gradients[j]);
       correlation(i, j) = correlation(j, i) = std::clamp(value, -1.0, 1.0);
     }
   return MaxAbsT(correlation, df).critical(1 - confidence);
@@ -198,7 +197,7 @@ void write_pointwise(const JointFit& fit, const JointData& data, const JointJack
 
 RoughPlace known_place(const JointFit& fit, const JointJackknife& left_out, int curve, JointQuantity quantity,
                        double t) {
-  if (fit.estimated() && fit.curves[static_cast<std::size_t>(curve)] == CurveVerdict::estimated)
+  if (fit.estimated() && fit.curves[curve] == CurveVerdict::estimated)
     return rough_place(fit, left_out, curve, quantity, t);
   return {.place = {}, .standard_error = nan, .reason = reason_without_numbers(fit, curve)};
 }
@@ -249,7 +248,7 @@ std::vector<JointThreshold> joint_thresholds(const JointFit& fit, const JointDat
     if (!fit.estimated()) continue;
     const double max_t = simultaneous_t(places, left_out, fit.people - 1.0);
     for (int c = 0; c < curves; ++c) {
-      const RoughPlace& rough = places[static_cast<std::size_t>(c)];
+      const RoughPlace& rough = places[c];
       JointThreshold& row = rows[static_cast<std::size_t>(c) * quantities + q];
       if (rough.place)
         row.simultaneous = interval_of(fit, left_out, c, row.quantity, rough, max_t,

@@ -130,7 +130,7 @@ std::vector<std::string> keep_large(Grouping& grouping, const std::vector<int>& 
       place[g] = static_cast<int>(kept.size());
       kept.push_back(grouping.names[g]);
     }
-  for (int& group : grouping.group_of) group = group < 0 ? -1 : place[static_cast<std::size_t>(group)];
+  for (int& group : grouping.group_of) group = group < 0 ? -1 : place[group];
   return kept;
 }
 
@@ -167,15 +167,14 @@ void add_group_shifts(const Analysis& analysis, const Grouping& grouping,
   double df = std::max(1.0, fit.people - 1.0);
   const auto add = [&](const std::string& of, int a, int b, const std::vector<int>& of_curves) {
     Contrast contrast{
-        .name = fmt::format("{}: {} - {}", of, names[static_cast<std::size_t>(b)],
-                            names[static_cast<std::size_t>(a)]),
+        .name = fmt::format("{}: {} - {}", of, names[b], names[a]),
         .weights = Eigen::VectorXd::Zero(fit.model.parameters()),
-        .more = fmt::format("the threshold of {} of '{}' lies at a larger {} than that of '{}'", of,
-                            names[static_cast<std::size_t>(b)], level, names[static_cast<std::size_t>(a)]),
+        .more = fmt::format("the threshold of {} of '{}' lies at a larger {} than that of '{}'", of, names[b],
+                            level, names[a]),
         .less = fmt::format("the threshold of {} of '{}' lies at a smaller {} than that of '{}'", of,
-                            names[static_cast<std::size_t>(b)], level, names[static_cast<std::size_t>(a)]),
+                            names[b], level, names[a]),
         .undecided = fmt::format("no difference of the thresholds of {} between '{}' and '{}' was shown", of,
-                                 names[static_cast<std::size_t>(b)], names[static_cast<std::size_t>(a)])};
+                                 names[b], names[a])};
     for (const int curve : of_curves) {
       contrast.weights[fit.model.threshold(b * curves + curve)] =
           unit / static_cast<double>(of_curves.size());
@@ -194,12 +193,11 @@ void add_group_shifts(const Analysis& analysis, const Grouping& grouping,
       for (int curve = 0; curve < curves; ++curve)
         if (known(a, curve) && known(b, curve)) both.push_back(curve);
       if (both.size() > 1) add("all curves together", a, b, both);
-      for (const int curve : both) add(joint.data.curves[static_cast<std::size_t>(curve)], a, b, {curve});
+      for (const int curve : both) add(joint.data.curves[curve], a, b, {curve});
       if (both.size() < static_cast<std::size_t>(curves))
         comparison.notes.push_back(
             fmt::format("{} of {} curves of '{}' and '{}' have no threshold in both groups and are left out.",
-                        curves - static_cast<int>(both.size()), curves, names[static_cast<std::size_t>(a)],
-                        names[static_cast<std::size_t>(b)]));
+                        curves - static_cast<int>(both.size()), curves, names[a], names[b]));
     }
   if (family.contrasts.empty()) {
     comparison.verdict = "Groups are not compared: no curve has a threshold in two of them.";
@@ -235,8 +233,7 @@ GroupComparison compare_by(const Analysis& analysis, const std::string& field) {
   Grouping grouping = grouping_of(analysis, asked);
   comparison.groups = grouping.names;
   comparison.people.assign(grouping.names.size(), 0);
-  for (const int group : grouping.group_of)
-    group < 0 ? ++comparison.silent : ++comparison.people[static_cast<std::size_t>(group)];
+  for (const int group : grouping.group_of) group < 0 ? ++comparison.silent : ++comparison.people[group];
   if (grouping.names.size() > most_groups) {
     comparison.verdict =
         fmt::format("Groups are not compared: {} answers differ, and at most {} groups are compared.",

@@ -50,7 +50,7 @@ std::string why_different(const HeadlineRow& row, const ArtifactScores& scores) 
 std::vector<HeadlineRow> rows_of_curve(const Analysis& analysis, int curve,
                                        const std::vector<ThresholdRow>& paper_way,
                                        const PlantedDetection& known) {
-  const ArtifactScores& scores = analysis.data.artifacts[static_cast<std::size_t>(curve)];
+  const ArtifactScores& scores = analysis.data.artifacts[curve];
   const bool rated = asks_ratings(analysis.log);
   std::vector<HeadlineRow> rows;
   for (std::size_t q = 0; q < threshold_rules.size(); ++q) {
@@ -88,8 +88,8 @@ std::vector<HeadlineRow> rows_of_curve(const Analysis& analysis, int curve,
 /// A curve that falls between two tested levels; empty where the levels lie closely enough.
 std::string note_on_gap(const Analysis& analysis, int curve) {
   const JointFit& fit = analysis.joint->fit;
-  if (fit.curves[static_cast<std::size_t>(curve)] != CurveVerdict::estimated) return "";
-  const ArtifactScores& scores = analysis.data.artifacts[static_cast<std::size_t>(curve)];
+  if (fit.curves[curve] != CurveVerdict::estimated) return "";
+  const ArtifactScores& scores = analysis.data.artifacts[curve];
   const JointCurve at = curve_at(fit.model, fit.theta, curve);
   const auto [low, high] = neighbours_of(levels_on_axis(scores), at.m);
   const double error = place_error_of(fit, curve);

@@ -60,7 +60,7 @@ class Distances {
     Eigen::VectorXd sums[2] = {Eigen::VectorXd::Zero(levels), Eigen::VectorXd::Zero(levels)};
     Eigen::VectorXd count[2] = {Eigen::VectorXd::Zero(levels), Eigen::VectorXd::Zero(levels)};
     for (Eigen::Index row = 0; row < scores_.rows(); ++row) {
-      const int group = in_web[static_cast<std::size_t>(row)];
+      const int group = in_web[row];
       for (Eigen::Index level = 0; level < levels; ++level)
         if (!std::isnan(scores_(row, level)))
           sums[group][level] += scores_(row, level), count[group][level] += 1;

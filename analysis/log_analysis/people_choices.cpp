@@ -12,7 +12,7 @@ namespace {
 OwnThreshold own_threshold(const PooledChoices& choices, Eigen::Index row, const FitOptions& options,
                            const std::string& unit) {
   OwnThreshold own;
-  own.participant = choices.people[static_cast<std::size_t>(row)];
+  own.participant = choices.people[row];
   std::vector<LevelCounts> counts;
   double right = 0;
   for (std::size_t i = 0; i < choices.level.size(); ++i) {

@@ -82,7 +82,7 @@ ResponseTimes response_times(const Analysis& analysis) {
     const int artifact = key.artifact;
     times.rows.push_back(
         {.artifact = artifact < 0 ? std::nullopt : std::optional(static_cast<Artifact>(artifact)),
-         .condition = artifact < 0 ? "" : conditions[static_cast<std::size_t>(key.condition)],
+         .condition = artifact < 0 ? "" : conditions[key.condition],
          .level = key.level,
          .which = key.which,
          .answers = static_cast<int>(tally.choice_s.size()),

@@ -241,8 +241,7 @@ SessionHalves contrast_halves(const JointData& whole, const std::vector<Eigen::M
   if (both.size() > 1)
     family.contrasts.push_back(half_contrast(fit.model, "all curves together", both, axis));
   for (const int curve : both)
-    family.contrasts.push_back(
-        half_contrast(fit.model, whole.curves[static_cast<std::size_t>(curve)], {curve}, axis));
+    family.contrasts.push_back(half_contrast(fit.model, whole.curves[curve], {curve}, axis));
   for (const Contrast& contrast : family.contrasts)
     family.degrees_of_freedom =
         std::min(family.degrees_of_freedom, jackknife_degrees(left_out.theta * contrast.weights));

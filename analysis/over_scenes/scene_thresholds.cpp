@@ -73,15 +73,14 @@ ThresholdOverScenes over_scenes(const SceneFit& of, JointQuantity quantity) {
   for (Eigen::Index s = 0; s < scenes; ++s) {
     const auto curve = static_cast<int>(s);
     const JointThreshold threshold = joint_threshold(of.fit, of.curves.data, of.left_out, curve, quantity);
-    const bool known = of.fit.curves[static_cast<std::size_t>(s)] == CurveVerdict::estimated;
+    const bool known = of.fit.curves[s] == CurveVerdict::estimated;
     const std::optional<JointPlace> place =
         known ? place_of(of.fit.model, of.fit.theta, curve, quantity) : std::nullopt;
     if (place) {
       x[s] = place->x;
       gradients.col(s) = place->gradient;
     }
-    found.scenes.push_back(
-        {.scene = of.curves.scenes[static_cast<std::size_t>(s)], .x = x[s], .here = threshold.here});
+    found.scenes.push_back({.scene = of.curves.scenes[s], .x = x[s], .here = threshold.here});
   }
   const LevelInterval range = range_with_gap(of.curves.data);
   found.reason = reason_of_scenes(found.scenes, range);

@@ -48,7 +48,7 @@ ObjectTallies tally_answers(const study::LogContents& log, const std::vector<Par
   const LevelOrder order{level_axis(log)};
   std::map<std::string, int> person_of;
   for (int person = 0; person < static_cast<int>(people.size()); ++person)
-    person_of[people[static_cast<std::size_t>(person)].record.code] = person;
+    person_of[people[person].record.code] = person;
 
   ObjectTallies tallies;
   for (const study::Answer& answer : log.answers) {
@@ -58,7 +58,7 @@ ObjectTallies tally_answers(const study::LogContents& log, const std::vector<Par
                          .field = "answers",
                          .wanted = "a participant that the log lists",
                          .found = "'" + answer.participant + "'"});
-    if (people[static_cast<std::size_t>(found->second)].use != Use::used) continue;
+    if (people[found->second].use != Use::used) continue;
     const auto condition = std::find(conditions.begin(), conditions.end(), answer.condition);
     const CurveKey key{answer.artifact, static_cast<int>(condition - conditions.begin()), answer.scene,
                        answer.object_index, answer.object};
@@ -130,7 +130,7 @@ ArtifactScores artifact_scores(Artifact artifact, const std::string& condition,
   }
   std::map<int, Eigen::Index> row_of;
   for (const auto& [person, count] : levels_of) {
-    const std::string& code = people[static_cast<std::size_t>(person)].record.code;
+    const std::string& code = people[person].record.code;
     row_of[person] = static_cast<Eigen::Index>(scores.people.size());
     scores.people.push_back(code);
     if (count < static_cast<int>(levels.size())) scores.incomplete.push_back(code);
@@ -217,8 +217,7 @@ NoticeabilityData average_answers(const study::LogContents& log, const std::vect
   const ObjectTallies tallies = tallies_of_somebody(log, people, data.conditions);
   std::map<std::pair<Artifact, int>, ByLevel<PersonMeans>> by_artifact;
   for (const auto& [key, levels] : tallies) {
-    data.objects.push_back(
-        object_curve(key, data.conditions[static_cast<std::size_t>(key.condition)], levels));
+    data.objects.push_back(object_curve(key, data.conditions[key.condition], levels));
     ByLevel<PersonMeans>& curve =
         by_artifact.try_emplace({key.artifact, key.condition}, LevelOrder{data.axis}).first->second;
     for (const auto& [level, persons] : levels)
@@ -226,8 +225,7 @@ NoticeabilityData average_answers(const study::LogContents& log, const std::vect
         curve[level][person].emplace_back(tally.noticeability / tally.answers, tally.correct / tally.answers);
   }
   for (const auto& [key, levels] : by_artifact)
-    data.artifacts.push_back(
-        artifact_scores(key.first, data.conditions[static_cast<std::size_t>(key.second)], levels, people));
+    data.artifacts.push_back(artifact_scores(key.first, data.conditions[key.second], levels, people));
   return data;
 }
 

@@ -40,8 +40,8 @@ Eigen::VectorXd condition_means(const Eigen::VectorXd& values, const Eigen::Vect
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(count), n = Eigen::VectorXd::Zero(count);
   for (Eigen::Index i = 0; i < values.size(); ++i)
     if (!std::isnan(values[i]) && !std::isnan(partner[i])) {
-      sum[condition[static_cast<std::size_t>(i)]] += values[i];
-      n[condition[static_cast<std::size_t>(i)]] += 1;
+      sum[condition[i]] += values[i];
+      n[condition[i]] += 1;
     }
   return (n.array() > 0).select(sum.array() / n.array().max(1.0), nan);
 }

@@ -43,7 +43,7 @@ struct Scored {
   int parent = 0;  ///< whose mean it is drawn to
 
   void add(int score) {
-    shares[static_cast<std::size_t>(score)] += 1;
+    shares[score] += 1;
     answers += 1;
   }
   void finish() {
@@ -60,7 +60,7 @@ void draw_together(std::vector<Scored>& children, const std::vector<Scored>& raw
   double beyond = 0, freedom = 0;
   for (std::size_t i = 0; i < children.size(); ++i) {
     const Scored& child = children[i];
-    const Scored& parent = raw_parents[static_cast<std::size_t>(child.parent)];
+    const Scored& parent = raw_parents[child.parent];
     if (child.answers == 0) continue;
     error2[i] = variance_of(parent.shares) / child.answers;  // not its own: all equal by chance has none
     const double part = 1 - child.answers / parent.answers,
@@ -83,11 +83,10 @@ std::vector<Scored> fit_stimuli(const ScoreMatrix& scores, const std::vector<boo
   std::vector<Scored> all(1), of_cell(static_cast<std::size_t>(cells)), of_stimulus(scores.stimuli.size());
   for (std::size_t i = 0; i < of_stimulus.size(); ++i) of_stimulus[i].parent = scores.cell[i];
   for (const ScoredAnswer& answer : scores.answers) {
-    if (!trusted[static_cast<std::size_t>(answer.person)]) continue;
+    if (!trusted[answer.person]) continue;
     all.front().add(answer.score);
-    of_cell[static_cast<std::size_t>(scores.cell[static_cast<std::size_t>(answer.stimulus)])].add(
-        answer.score);
-    of_stimulus[static_cast<std::size_t>(answer.stimulus)].add(answer.score);
+    of_cell[static_cast<std::size_t>(scores.cell[answer.stimulus])].add(answer.score);
+    of_stimulus[answer.stimulus].add(answer.score);
   }
   for (std::vector<Scored>* level : {&all, &of_cell, &of_stimulus})
     for (Scored& one : *level) one.finish();
@@ -169,10 +168,10 @@ Eigen::MatrixXd likelihood_at_points(double s, double blind, const RightChoices&
   const LogOdds log_odds(s, grid, counts.guess_rate);
   const double guess_rate = counts.guess_rate;
   for (Eigen::Index i = 0; i < columns; ++i) {
-    const double right = 1 - stimuli[static_cast<std::size_t>(i)].shares[0];
+    const double right = 1 - stimuli[i].shares[0];
     const double l = log_odds.of((right - blind * guess_rate) / (1 - blind));
     for (Eigen::Index g = 0; g < points; ++g) {
-      const double p = guess_rate + (1 - guess_rate) * logistic(l + s * grid.z[static_cast<std::size_t>(g)]);
+      const double p = guess_rate + (1 - guess_rate) * logistic(l + s * grid.z[g]);
       log_right(i, g) = std::log(p);
       log_wrong(i, g) = std::log1p(-p);
     }
@@ -200,7 +199,7 @@ SpreadFit fit_spread(double s, const RightChoices& counts, const std::vector<Sco
       const double top = at_point.row(p).maxCoeff();
       double honest = 0;
       for (Eigen::Index g = 0; g < at_point.cols(); ++g)
-        honest += grid.weight[static_cast<std::size_t>(g)] * std::exp(at_point(p, g) - top);
+        honest += grid.weight[g] * std::exp(at_point(p, g) - top);
       const double right = counts.right.row(p).sum(), wrong = counts.answers.row(p).sum() - right;
       const double log_honest = top + std::log(honest);
       const double log_blind = right * std::log(guess_rate) + wrong * std::log1p(-guess_rate);
@@ -249,7 +248,7 @@ SpreadFit spread_of_people(const RightChoices& counts, const std::vector<Scored>
 int draw_rating(const ScoreShares& shares, Random& random) {
   double left = random.uniform() * (1 - shares[0]);
   for (int rating = 1; rating < study::highest_rating; ++rating) {
-    left -= shares[static_cast<std::size_t>(rating)];
+    left -= shares[rating];
     if (left < 0) return rating;
   }
   return study::highest_rating;

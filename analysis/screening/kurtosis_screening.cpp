@@ -50,7 +50,7 @@ std::vector<KurtosisCount> screen_by_kurtosis(const Eigen::MatrixXd& score) {
     for (Eigen::Index person = 0; person < score.rows(); ++person) {
       const double value = score(person, stimulus);
       if (std::isnan(value)) continue;
-      KurtosisCount& count = counts[static_cast<std::size_t>(person)];
+      KurtosisCount& count = counts[person];
       ++count.stimuli;
       if (limit.distance == 0) continue;
       if (value >= limit.mean + limit.distance) ++count.above;

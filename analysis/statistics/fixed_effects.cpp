@@ -11,14 +11,13 @@ double subtract_means(const std::vector<int>& group, int groups, Eigen::MatrixXd
   Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(groups, columns.cols());
   Eigen::VectorXd count = Eigen::VectorXd::Zero(groups);
   for (Eigen::Index i = 0; i < columns.rows(); ++i) {
-    const int g = group[static_cast<std::size_t>(i)];
+    const int g = group[i];
     sums.row(g) += columns.row(i);
     count[g] += 1;
   }
   for (Eigen::Index g = 0; g < groups; ++g)
     if (count[g] > 0) sums.row(g) /= count[g];
-  for (Eigen::Index i = 0; i < columns.rows(); ++i)
-    columns.row(i) -= sums.row(group[static_cast<std::size_t>(i)]);
+  for (Eigen::Index i = 0; i < columns.rows(); ++i) columns.row(i) -= sums.row(group[i]);
   return sums.cwiseAbs().maxCoeff();
 }
 
@@ -61,7 +60,7 @@ TwoWayFit fit_two_way(TwoWayData data) {
   std::vector<Eigen::MatrixXd> of_person(static_cast<std::size_t>(n), Eigen::MatrixXd::Zero(k, k + 1));
   Eigen::MatrixXd all = Eigen::MatrixXd::Zero(k, k + 1);
   for (Eigen::Index i = 0; i < columns.rows(); ++i)
-    of_person[static_cast<std::size_t>(data.person[static_cast<std::size_t>(i)])] +=
+    of_person[static_cast<std::size_t>(data.person[i])] +=
         columns.row(i).head(k).transpose() * columns.row(i);
   for (const Eigen::MatrixXd& one : of_person) all += one;
   int rank = 0;
@@ -69,7 +68,7 @@ TwoWayFit fit_two_way(TwoWayData data) {
   if (rank == 0) return fit;
   fit.without.resize(n, k);
   for (Eigen::Index person = 0; person < n; ++person) {
-    const Eigen::MatrixXd rest = all - of_person[static_cast<std::size_t>(person)];
+    const Eigen::MatrixXd rest = all - of_person[person];
     int rank_without = 0;
     fit.without.row(person) =
         solved(rest.leftCols(k), rest.col(k), flat_share * before, &rank_without).transpose();

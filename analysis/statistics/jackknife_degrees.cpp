@@ -13,7 +13,7 @@ double jackknife_degrees(const Eigen::VectorXd& values, const std::vector<int>& 
   std::map<int, Moments> groups;
   const Eigen::ArrayXd square = (values.array() - values.mean()).square();
   for (Eigen::Index p = 0; p < square.size(); ++p) {
-    Moments& group = groups[group_of.empty() ? 0 : group_of[static_cast<std::size_t>(p)]];
+    Moments& group = groups[group_of.empty() ? 0 : group_of[p]];
     group.people += 1;
     group.squares += square[p];
     group.fourth += square[p] * square[p];

@@ -121,8 +121,7 @@ Logistic4Fitter::Logistic4Fitter(std::vector<double> level_x) : level_x_(std::mo
   for (double centre : centres_)
     for (double scale : scales_) {
       Eigen::RowVectorXd f(widths);
-      for (Eigen::Index i = 0; i < widths; ++i)
-        f[i] = falling_logistic((level_x_[static_cast<std::size_t>(i)] - centre) / scale);
+      for (Eigen::Index i = 0; i < widths; ++i) f[i] = falling_logistic((level_x_[i] - centre) / scale);
       f.array() -= f.mean();
       if (const double norm = f.norm(); norm > flat_norm) basis_.row(row) = f / norm;
       ++row;
@@ -151,8 +150,7 @@ std::vector<Logistic4Start> Logistic4Fitter::starts(const Eigen::VectorXd& means
 
   std::vector<Logistic4Start> starts;
   for (Eigen::Index at : optima)
-    starts.push_back({.centre_x = centres_[static_cast<std::size_t>(at / columns)],
-                      .scale_x = scales_[static_cast<std::size_t>(at % columns)]});
+    starts.push_back({.centre_x = centres_[at / columns], .scale_x = scales_[at % columns]});
   return starts;
 }
 

@@ -79,7 +79,7 @@ LevelInterval logistic_level_interval(double level, const Logistic4Fit& fit,
         const Eigen::VectorXd h = weights_at(near, w, level_x);
         Eigen::VectorXd residual(means.mean.size()), scaled(means.mean.size());
         for (Eigen::Index i = 0; i < means.mean.size(); ++i) {
-          const double fitted = value_at(near, level_x[static_cast<std::size_t>(i)]);
+          const double fitted = value_at(near, level_x[i]);
           residual[i] = means.mean[i] - fitted;
           scaled[i] = h[i] * std::sqrt(variance_of.at(fitted));
         }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "renderer/realtime/shadow_map.h"
+#include "support/arithmetic/grid_index.h"
 
 namespace seamline::live {
 
@@ -18,9 +19,7 @@ class CasterBlocks {
   [[nodiscard]] bool near(float u, float v) const {
     const int x = static_cast<int>((u - left_) * blocks_per_unit_[0]) + 1;
     const int y = static_cast<int>((v - top_) * blocks_per_unit_[1]) + 1;
-    return x >= 0 && y >= 0 && x < width_ && y < height_ &&
-           has_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-                static_cast<std::size_t>(x)] != 0;
+    return x >= 0 && y >= 0 && x < width_ && y < height_ && has_[grid_index(y, x, width_)] != 0;
   }
 
  private:

@@ -12,6 +12,7 @@
 #include "live/frame/pixel_rays.h"
 #include "raytracer/common/parallel.h"
 #include "renderer/realtime/depth_normals.h"
+#include "support/arithmetic/grid_index.h"
 
 namespace seamline::live {
 namespace {
@@ -91,8 +92,7 @@ class Darkening {
                depth_m, width_px, std::uint64_t{1} << i, marks.data());
     }
     for (int x = 0; x < width_px; ++x)
-      if (marks[static_cast<std::size_t>(x)] != 0 && std::isfinite(depth_m[x]))
-        darken_pixel(x, y, depth_m[x], marks[static_cast<std::size_t>(x)]);
+      if (marks[x] != 0 && std::isfinite(depth_m[x])) darken_pixel(x, y, depth_m[x], marks[x]);
   }
 
  private:
@@ -101,8 +101,7 @@ class Darkening {
   }
 
   void darken_pixel(int x, int y, float planar_m, std::uint64_t marks) {
-    const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(eye_.codes.width_px) +
-                              static_cast<std::size_t>(x);
+    const std::size_t pixel = grid_index(y, x, eye_.codes.width_px);
     if (eye_.covered[pixel] != 0) return;
     const Eigen::Vector3f direction = rays_.direction(x, y);
     marks = marks_near_casters(rays_.eye_m() + planar_m * direction, marks);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "support/arithmetic/grid_index.h"
 #include "support/running/parallel.h"
 
 namespace seamline::live {
@@ -23,8 +24,7 @@ DepthPoints::DepthPoints(const sensors::DepthFileForm& form, const Eigen::Isomet
     for (int column = 0; column < width_px_; ++column) {
       auto direction = sensors::direction_through(form.camera, {column + 0.5, row + 0.5});
       if (direction && form.convention == sensors::DepthConvention::radial) direction->normalize();
-      metre_of_pixel_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_px_) +
-                      static_cast<std::size_t>(column)] = direction.value_or(Eigen::Vector3d::Zero());
+      metre_of_pixel_[grid_index(row, column, width_px_)] = direction.value_or(Eigen::Vector3d::Zero());
     }
   });
 }
@@ -50,7 +50,7 @@ void PointRegistration::operator()(const DepthPoints& points, const std::vector<
   std::fill(registered.depth_m.begin(), registered.depth_m.end(), hole_m);
   for (const Landing& landing : landings_) {
     if (landing.pixel == outside) continue;
-    float& nearest_m = registered.depth_m[static_cast<std::size_t>(landing.pixel)];
+    float& nearest_m = registered.depth_m[landing.pixel];
     if (landing.depth_m > 0 && landing.depth_m < nearest_m) nearest_m = landing.depth_m;
   }
 }

@@ -9,6 +9,7 @@
 #include "live/frame/pixel_rays.h"
 #include "raytracer/common/parallel.h"
 #include "sensors/frame/depth_test.h"
+#include "support/arithmetic/grid_index.h"
 
 namespace seamline::live {
 namespace {
@@ -62,14 +63,13 @@ class ObjectDrawing {
     std::array<std::optional<SurfacePoint>, renderer::rays_a_call> hits;
     for (int x = first; x < last; x += static_cast<int>(renderer::rays_a_call)) {
       const int count = std::min(static_cast<int>(renderer::rays_a_call), last - x);
-      for (int i = 0; i < count; ++i)
-        rays[static_cast<std::size_t>(i)] = {rays_.eye_m(), rays_.direction(x + i, y).normalized()};
+      for (int i = 0; i < count; ++i) rays[i] = {rays_.eye_m(), rays_.direction(x + i, y).normalized()};
       const auto used = static_cast<std::size_t>(count);
       nearest_objects(pass_.scene, std::span(rays).first(used), std::span(hits).first(used));
       if (pass_.occlusion == Occlusion::mesh)
         hide_behind_mesh(std::span(rays).first(used), std::span(hits).first(used));
       for (int i = 0; i < count; ++i)
-        if (const auto& hit = hits[static_cast<std::size_t>(i)]) draw_pixel(x + i, y, *hit);
+        if (const auto& hit = hits[i]) draw_pixel(x + i, y, *hit);
     }
   }
 
@@ -112,8 +112,7 @@ class ObjectDrawing {
   void draw_pixel(int x, int y, const SurfacePoint& hit) {
     if (is_hidden(x, y, rays_.planar_m(hit.position_m))) return;
     const Rgb seen = radiance(hit, turn_of_pixel(x, y)) * pass_.scene.display_factor;
-    const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(eye_.codes.width_px) +
-                              static_cast<std::size_t>(x);
+    const std::size_t pixel = grid_index(y, x, eye_.codes.width_px);
     eye_.covered[pixel] = 1;
     for (std::size_t c = 0; c < 3; ++c)
       eye_.codes.values[3 * pixel + c] = codes_.code(seen[static_cast<Eigen::Index>(c)]);

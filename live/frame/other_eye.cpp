@@ -7,6 +7,7 @@
 
 #include "live/frame/pixel_rays.h"
 #include "raytracer/common/parallel.h"
+#include "support/arithmetic/grid_index.h"
 
 namespace seamline::live {
 namespace {
@@ -27,10 +28,7 @@ void take_colour(const ByteImage& colour, float x_px, float y_px, std::uint8_t* 
   const std::size_t right_step = left + 1 < colour.width_px ? 3 : 0;
   const std::size_t down_step =
       top + 1 < colour.height_px ? static_cast<std::size_t>(colour.width_px) * 3 : 0;
-  const std::uint8_t* pixel =
-      &colour.values[(static_cast<std::size_t>(top) * static_cast<std::size_t>(colour.width_px) +
-                      static_cast<std::size_t>(left)) *
-                     3];
+  const std::uint8_t* pixel = &colour.values[grid_index(top, left, colour.width_px) * 3];
   const int to_right = across % one, to_below = down % one;
   for (std::size_t c = 0; c < 3; ++c) {
     const int upper = pixel[c] * (one - to_right) + pixel[c + right_step] * to_right;

@@ -24,7 +24,7 @@ LivePipeline::LivePipeline(const LoadedRecording& recording, LiveScene scene, co
   const std::size_t pixels =
       static_cast<std::size_t>(view_.width_px) * static_cast<std::size_t>(view_.height_px);
   frame_.registered = renderer::empty_picture(view_.width_px, view_.height_px);
-  frame_.eyes.resize(static_cast<std::size_t>(settings_.views));
+  frame_.eyes.resize(settings_.views);
   for (EyePicture& eye : frame_.eyes) {
     eye.real = renderer::empty_picture(view_.width_px, view_.height_px);
     eye.ghosts = renderer::empty_picture(view_.width_px, view_.height_px);

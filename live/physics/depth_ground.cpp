@@ -73,7 +73,7 @@ float quiet_depth_m(const std::vector<float>& depth_m, int width_px, int x, int 
   constexpr float same = 0.1F;
   const auto width = static_cast<std::ptrdiff_t>(width_px);
   const std::ptrdiff_t pixel = y * width + x, height = std::ssize(depth_m) / width;
-  const float* const here = &depth_m[static_cast<std::size_t>(pixel)];
+  const float* const here = &depth_m[pixel];
   const float least = *here * (1 - same), most = *here * (1 + same);
   if (!is_measured(*here)) return no_depth;
   const auto right = std::min<std::ptrdiff_t>({reach_px, x, width - 1 - x});

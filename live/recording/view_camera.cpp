@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/arithmetic/grid_index.h"
 #include "support/running/parallel.h"
 #include "support/text/error.h"
 
@@ -23,10 +24,7 @@ std::uint8_t between(const ByteImage& picture, double x_px, double y_px, int cha
   const double across = x - left, down = y - top;
   const auto code = [&](int column, int row) {
     return static_cast<double>(
-        picture.values[(static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width_px) +
-                        static_cast<std::size_t>(column)) *
-                           3 +
-                       static_cast<std::size_t>(channel)]);
+        picture.values[grid_index(row, column, picture.width_px) * 3 + static_cast<std::size_t>(channel)]);
   };
   const double upper = code(left, top) + across * (code(right, top) - code(left, top));
   const double lower = code(left, bottom) + across * (code(right, bottom) - code(left, bottom));
@@ -69,9 +67,7 @@ ByteImage view_picture(const ByteImage& picture, const sensors::PinholeCamera& c
                                       (row + 0.5 - view.cy_px) / view.fy_px, 1);
       const auto place_px = sensors::project(colour, direction);
       if (!place_px || !sensors::is_in_picture(colour, *place_px)) continue;
-      const std::size_t pixel = (static_cast<std::size_t>(row) * static_cast<std::size_t>(view.width_px) +
-                                 static_cast<std::size_t>(column)) *
-                                3;
+      const std::size_t pixel = grid_index(row, column, view.width_px) * 3;
       for (int channel = 0; channel < 3; ++channel)
         out.values[pixel + static_cast<std::size_t>(channel)] =
             between(picture, place_px->x(), place_px->y(), channel);

@@ -39,7 +39,7 @@ ErrorMap error_map(const HalfPictures& pictures, const std::array<Image, 2>& fil
   const float gain = static_cast<float>(std::exp2(exposure_ev));
   parallel_for(static_cast<int>(map.rows.size()), threads, [&](int row) {
     std::size_t to = a_row * static_cast<std::size_t>(row);
-    const std::size_t first = any.index(0, map.rows[static_cast<std::size_t>(row)]);
+    const std::size_t first = any.index(0, map.rows[row]);
     for (std::size_t i = first; i < first + a_row; ++i, ++to) {
       const std::array<float, 2> halves = {pictures.filtered[0].values[i] * gain,
                                            pictures.filtered[1].values[i] * gain};

@@ -71,18 +71,17 @@ ErrorEstimate estimate_error(const HalfPictures& pictures, double exposure_ev, i
   const BlockGrid blocks{any.width_px, any.height_px, panorama};
   const float gain = static_cast<float>(std::exp2(exposure_ev));
   ErrorEstimate estimate;
-  estimate.tiles.resize(static_cast<std::size_t>(grid.count()));
-  estimate.blocks.resize(static_cast<std::size_t>(blocks.count()));
+  estimate.tiles.resize(grid.count());
+  estimate.blocks.resize(blocks.count());
   parallel_for(grid.count(), threads, [&](int tile) {
     for (const int block : blocks_of(grid, tile)) {
-      SquaredError& error = estimate.blocks[static_cast<std::size_t>(block)];
+      SquaredError& error = estimate.blocks[block];
       error = block_error(pictures, blocks, block, gain);
-      add_share(error, blocks.weight(block) / grid.weight(tile),
-                estimate.tiles[static_cast<std::size_t>(tile)]);
+      add_share(error, blocks.weight(block) / grid.weight(tile), estimate.tiles[tile]);
     }
   });
   for (int tile = 0; tile < grid.count(); ++tile)
-    add_share(estimate.tiles[static_cast<std::size_t>(tile)], grid.share(tile), estimate.image);
+    add_share(estimate.tiles[tile], grid.share(tile), estimate.image);
   return estimate;
 }
 

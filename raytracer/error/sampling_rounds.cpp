@@ -68,7 +68,7 @@ class SampleAllocator {
   bool grow_tile(int tile) {
     const TileGrid grid{state_.grid.width_px, state_.grid.height_px, state_.grid.wraps};
     Steps steps;
-    double square = state_.tile_residual[static_cast<std::size_t>(tile)] + rounding_square;
+    double square = state_.tile_residual[tile] + rounding_square;
     const auto share = [&](std::size_t block) {
       return state_.grid.weight(static_cast<int>(block)) / grid.weight(tile);
     };

@@ -65,7 +65,7 @@ int TrueError::worst_tile() const {
 
 double TrueError::worst_tile_rmse() const {
   if (tiles.empty()) return 0;
-  return std::sqrt(std::max(0.0, tiles[static_cast<std::size_t>(worst_tile())]));
+  return std::sqrt(std::max(0.0, tiles[worst_tile()]));
 }
 
 namespace {

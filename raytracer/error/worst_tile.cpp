@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "raytracer/common/tiles.h"
+#include "support/arithmetic/grid_index.h"
 
 namespace seamline::renderer {
 namespace {
@@ -12,9 +13,7 @@ constexpr int difference_times = 8, mid_grey = 128;
 constexpr std::uint8_t gap_code = 128;
 
 std::size_t index_of(const ByteImage& image, int x, int y) {
-  return (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width_px) +
-          static_cast<std::size_t>(x)) *
-         3;
+  return grid_index(y, x, image.width_px) * 3;
 }
 
 /// Draws a tile whose codes are `code(index into the picture)` with nearest sampling.

@@ -45,9 +45,8 @@ EnvironmentMap::EnvironmentMap(Image radiance, float rotation_rad, const Rgb& st
   const int width = map_.width_px, height = map_.height_px;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) map_.set_rgb(x, y, map_.rgb(x, y) * strength);
-  row_sines_.resize(static_cast<std::size_t>(height) + 1);
-  for (int y = 0; y <= height; ++y)
-    row_sines_[static_cast<std::size_t>(y)] = std::cos(std::numbers::pi * y / height);
+  row_sines_.resize(height + 1);
+  for (int y = 0; y <= height; ++y) row_sines_[y] = std::cos(std::numbers::pi * y / height);
   rows_.assign(static_cast<std::size_t>(height) + 1, 0.0);
   in_row_.resize(static_cast<std::size_t>(height) * (static_cast<std::size_t>(width) + 1));
   Eigen::Array3d total = Eigen::Array3d::Zero();

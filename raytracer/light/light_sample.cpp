@@ -230,8 +230,7 @@ std::optional<LightSample> light_sample(const Light& light, int number, const Su
                                         EmissionHits hits, SunHits sun_hits) {
   const auto suns = static_cast<int>(light.suns.size());
   if (number < suns)
-    return sun_sample(light, light.suns[static_cast<std::size_t>(number)], point, throughput, sampler, vertex,
-                      sun_hits);
+    return sun_sample(light, light.suns[number], point, throughput, sampler, vertex, sun_hits);
   number -= suns;
   if (!light.lamps.empty() && number-- == 0) return lamp_sample(light, point, throughput, sampler, vertex);
   if (has_emitters(light) && number-- == 0)

@@ -11,7 +11,7 @@ namespace {
 constexpr float least_f0 = 1e-6F;
 
 Eigen::Vector2f of_set(const Texture& texture, const TextureCoordinates& uv) {
-  return uv.sets[static_cast<std::size_t>(texture.uv_set)];
+  return uv.sets[texture.uv_set];
 }
 
 /// The specular layer where there is no metal.

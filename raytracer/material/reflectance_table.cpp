@@ -139,8 +139,7 @@ float angle_of(float mu, float alpha) {
 
 ReflectanceTable make_reflectance_table() {
   std::array<double, turns> turn_cosines{};
-  for (int i = 0; i < turns; ++i)
-    turn_cosines[static_cast<std::size_t>(i)] = std::cos(std::numbers::pi * (i + 0.5) / turns);
+  for (int i = 0; i < turns; ++i) turn_cosines[i] = std::cos(std::numbers::pi * (i + 0.5) / turns);
   Table table;
   for (std::size_t row = 0; row < Table::rows; ++row) set_row(table, row, turn_cosines);
   for (std::size_t at = 0; at <= Table::averages; ++at) set_averages(table, at);

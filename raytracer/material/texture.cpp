@@ -6,6 +6,7 @@
 
 #include "support/arithmetic/bilinear.h"
 #include "support/arithmetic/colour.h"
+#include "support/arithmetic/grid_index.h"
 
 namespace seamline::renderer {
 namespace {
@@ -52,10 +53,7 @@ float in_texels(float coordinate, int size) {
 Eigen::Array4f texel(const Texture& texture, int x, int y) {
   const ByteImage& picture = *texture.picture;
   const auto channels = static_cast<std::size_t>(picture.channels);
-  const std::uint8_t* at =
-      picture.values.data() + (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width_px) +
-                               static_cast<std::size_t>(x)) *
-                                  channels;
+  const std::uint8_t* at = picture.values.data() + grid_index(y, x, picture.width_px) * channels;
   const DecodingTable& colour = decoding_table(texture.encoding);
   const DecodingTable& linear = decoding_table(Encoding::linear);
   if (channels <= 2)

@@ -13,7 +13,7 @@ Camera omnidirectional_camera(const Camera& centre, const View& view) {
   eyes->panorama_rows = centre.height_px;
   for (int k = 0; k < view.eyes(); ++k)
     eyes->eyes.push_back({.right_m = static_cast<float>(eye_right_m(view, k))});
-  eyes->eyes.resize(static_cast<std::size_t>(view.panoramas()));  // from the axis
+  eyes->eyes.resize(view.panoramas());  // from the axis
   Camera camera = centre;
   camera.height_px = view.panoramas() * centre.height_px;
   camera.eyes = std::move(eyes);

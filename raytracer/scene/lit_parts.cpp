@@ -25,7 +25,7 @@ using Place = Eigen::Vector2d;
 /// Texels of the emission's texture along a mesh's longest edge.
 double longest_edge_texels(const SurfaceMesh& mesh) {
   const Texture& texture = *mesh.material->emission_texture;
-  const auto& uvs = mesh.uvs[static_cast<std::size_t>(texture.uv_set)];
+  const auto& uvs = mesh.uvs[texture.uv_set];
   if (uvs.empty()) return 0;
   const Eigen::Array2f size(static_cast<float>(texture.picture->width_px),
                             static_cast<float>(texture.picture->height_px));

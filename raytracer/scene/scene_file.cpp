@@ -61,8 +61,7 @@ class NodeWalker {
     std::vector<bool> is_child(model_.nodes.size());
     for (const tinygltf::Node& node : model_.nodes)
       for (const int child : node.children)
-        if (child >= 0 && static_cast<std::size_t>(child) < is_child.size())
-          is_child[static_cast<std::size_t>(child)] = true;
+        if (child >= 0 && static_cast<std::size_t>(child) < is_child.size()) is_child[child] = true;
     return is_child;
   }
 
@@ -81,7 +80,7 @@ class NodeWalker {
     if (depth > limits::deepest_node_tree || !visited_.insert(index).second)
       throw bad(field, "a tree of nodes",
                 depth > limits::deepest_node_tree ? "one too deep" : "a cycle, or a node with two parents");
-    const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(index)];
+    const tinygltf::Node& node = model_.nodes[index];
     if (is_hidden(node)) return;
     const Eigen::Affine3d world = parent * GltfPose::local(node);
     if (!world.matrix().allFinite()) throw bad(field, "a finite transform", "one that is not");
@@ -111,7 +110,7 @@ class NodeWalker {
   void add_camera(const tinygltf::Node& node, const Eigen::Affine3d& world, const std::string& field) {
     if (static_cast<std::size_t>(node.camera) >= model_.cameras.size())
       throw bad(field, "a camera that exists", std::to_string(node.camera));
-    const tinygltf::Camera& camera = model_.cameras[static_cast<std::size_t>(node.camera)];
+    const tinygltf::Camera& camera = model_.cameras[node.camera];
     if (camera.type != "perspective") {
       left_out_.insert(fmt::format("a camera that is {}", printable(camera.type)));
       return;
@@ -139,7 +138,7 @@ class NodeWalker {
     const int index = extension->second.Get("light").GetNumberAsInt();
     if (index < 0 || static_cast<std::size_t>(index) >= model_.lights.size())
       throw bad(field, "a light that exists", std::to_string(index));
-    const tinygltf::Light& light = model_.lights[static_cast<std::size_t>(index)];
+    const tinygltf::Light& light = model_.lights[index];
     const std::vector<double> given = light.color.size() == 3 ? light.color : std::vector<double>{1, 1, 1};
     const std::string where = fmt::format("KHR_lights_punctual.lights[{}]", index);
     check_light(given, light.intensity / lux_per_w_m2, "W/m2 or W/sr (intensity / 683 times color)", where);

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <numbers>
 #include "raytracer/scene/camera.h"
+#include "support/arithmetic/grid_index.h"
 
 namespace seamline::renderer {
 namespace {
@@ -22,9 +23,8 @@ class ObjectMeter {
         truth_(scene.geometry_without(object_index)),
         object_(scene.geometry(false, {object_index})),
         background_(scene.geometry(true, {})) {
-    measures_.name = scene.definition.objects[static_cast<std::size_t>(object_index - 1)].name;
-    measures_.distance_m =
-        double{bounds(scene.objects[static_cast<std::size_t>(object_index - 1)]).center().norm()};
+    measures_.name = scene.definition.objects[object_index - 1].name;
+    measures_.distance_m = double{bounds(scene.objects[object_index - 1]).center().norm()};
   }
 
   ObjectMeasures measure() {
@@ -34,8 +34,7 @@ class ObjectMeter {
     for (int y = 0; y < camera.height_px; ++y)
       for (int x = 0; x < camera.width_px; ++x) {
         const Ray ray = centre_ray(camera, x, y);
-        silhouette[static_cast<std::size_t>(y) * static_cast<std::size_t>(camera.width_px) +
-                   static_cast<std::size_t>(x)] = look(ray);
+        silhouette[grid_index(y, x, camera.width_px)] = look(ray);
       }
     measures_.silhouette_complexity = silhouette_complexity(silhouette, camera.width_px, camera.height_px);
     return measures_;
@@ -90,9 +89,7 @@ class ObjectMeter {
 double silhouette_complexity(const std::vector<bool>& mask, int width_px, int height_px) {
   double area = 0, edges = 0;
   const auto inside = [&](int x, int y) {
-    return x >= 0 && y >= 0 && x < width_px && y < height_px &&
-           mask[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px) +
-                static_cast<std::size_t>(x)];
+    return x >= 0 && y >= 0 && x < width_px && y < height_px && mask[grid_index(y, x, width_px)];
   };
   for (int y = 0; y < height_px; ++y)
     for (int x = 0; x < width_px; ++x) {

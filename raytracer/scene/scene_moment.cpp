@@ -93,12 +93,11 @@ class Animator {
     if (index < 0) return;  // as the specification wants it
     if (std::cmp_greater_equal(index, model_.nodes.size()))
       throw bad(where + ".target.node", "a node that exists", std::to_string(index));
-    tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(index)];
+    tinygltf::Node& node = model_.nodes[index];
     const std::int64_t sampler = whole_number(channel, "sampler", -1);
     if (sampler < 0 || std::cmp_greater_equal(sampler, samplers.size()))
       throw bad(where + ".sampler", "a sampler that exists", std::to_string(sampler));
-    const Eigen::VectorXd value =
-        value_at(keys_of(samplers[static_cast<std::size_t>(sampler)], path, node, where), time_s);
+    const Eigen::VectorXd value = value_at(keys_of(samplers[sampler], path, node, where), time_s);
     if (!value.allFinite()) throw bad(where, "finite values between its keys", "others");
     const Values numbers(value.begin(), value.end());
     if (path == "weights") {
@@ -121,7 +120,7 @@ class Animator {
                 "\"" + printable(path) + "\"");
     std::size_t targets = 0;
     if (node.mesh >= 0 && std::cmp_less(node.mesh, model_.meshes.size()))
-      for (const auto& primitive : model_.meshes[static_cast<std::size_t>(node.mesh)].primitives)
+      for (const auto& primitive : model_.meshes[node.mesh].primitives)
         targets = std::max(targets, primitive.targets.size());
     if (targets == 0) throw bad(where, "a node whose mesh has morph targets", "none");
     return targets;

@@ -76,7 +76,7 @@ Geometry TruthScene::geometry(bool with_background, const std::vector<int>& indi
   std::vector<std::shared_ptr<const SurfaceMesh>> meshes;
   if (with_background) meshes = background;
   for (const int index : indices) {
-    const auto& object = objects[static_cast<std::size_t>(index - 1)];
+    const auto& object = objects[index - 1];
     meshes.insert(meshes.end(), object.begin(), object.end());
   }
   return Geometry(meshes, edges);

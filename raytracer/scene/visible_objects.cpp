@@ -15,7 +15,7 @@ std::vector<VisiblePixels> visible_pixels(const Camera& camera, const Geometry& 
   for (int y = 0; y < camera.height_px; ++y)
     for (int x = 0; x < camera.width_px; ++x)
       if (const auto hit = everything.nearest(centre_ray(camera, x, y))) {
-        VisiblePixels& of = seen[static_cast<std::size_t>(hit->object_index)];
+        VisiblePixels& of = seen[hit->object_index];
         ++of.count;
         of.sum_x_px += x;
       }

@@ -58,7 +58,7 @@ struct PacketLanes {
 
   void set(RTCRay8& packet, std::span<const Ray> rays) {
     const int count = static_cast<int>(rays.size());
-    for (int lane = 0; lane < count; ++lane) set_lane(packet, lane, rays[static_cast<std::size_t>(lane)]);
+    for (int lane = 0; lane < count; ++lane) set_lane(packet, lane, rays[lane]);
     for (int lane = 0; lane < packet_size; ++lane) valid[lane] = lane < count ? -1 : 0;
   }
 

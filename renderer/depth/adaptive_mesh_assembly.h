@@ -33,7 +33,7 @@ DepthMesh assemble_mesh(const DenseSphere& sphere, int parts, int threads,
       mark(a), mark(b), mark(c);
       ++count;
     });
-    first_triangle[static_cast<std::size_t>(part) + 1] = count;
+    first_triangle[part + 1] = count;
   });
   for (std::size_t i = 1; i < first_triangle.size(); ++i) first_triangle[i] += first_triangle[i - 1];
 
@@ -47,7 +47,7 @@ DepthMesh assemble_mesh(const DenseSphere& sphere, int parts, int threads,
 
   mesh.triangles.resize(first_triangle.back());
   run_parallel(parts, threads, [&](int part) {
-    auto* triangle = mesh.triangles.data() + first_triangle[static_cast<std::size_t>(part)];
+    auto* triangle = mesh.triangles.data() + first_triangle[part];
     const auto index = [&](const GridVertex& vertex) {
       if (vertex.row < 0) return zenith;
       return vertex.row == sphere.height ? nadir : numbering.number(vertex.row, vertex.column);

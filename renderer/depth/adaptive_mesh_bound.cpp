@@ -34,9 +34,8 @@ struct TriangleBound::Plane {
   };
   [[nodiscard]] InRow in_row(const DenseSphere& sphere, int row) const { return in_row(n, sphere, row); }
   static InRow in_row(const Eigen::Vector3d& n, const DenseSphere& sphere, int row) {
-    const double cos_elevation = sphere.cos_elevation[static_cast<std::size_t>(row)];
-    return {n.x() * cos_elevation, -n.z() * cos_elevation,
-            n.y() * sphere.sin_elevation[static_cast<std::size_t>(row)]};
+    const double cos_elevation = sphere.cos_elevation[row];
+    return {n.x() * cos_elevation, -n.z() * cos_elevation, n.y() * sphere.sin_elevation[row]};
   }
 };
 

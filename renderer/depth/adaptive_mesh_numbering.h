@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "renderer/depth/dense_sphere.h"
+#include "support/arithmetic/grid_index.h"
 
 namespace seamline::renderer {
 
@@ -25,8 +26,7 @@ class VertexNumbering {
 
  private:
   [[nodiscard]] std::size_t tile(int row, int column) const {
-    return static_cast<std::size_t>(row / 8) * static_cast<std::size_t>(tiles_across_) +
-           static_cast<std::size_t>(column / 8);
+    return grid_index(row / 8, column / 8, tiles_across_);
   }
   static std::uint64_t bit(int row, int column) {
     return std::uint64_t{1} << static_cast<unsigned>(row % 8 * 8 + column % 8);

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "raytracer/common/parallel.h"
+#include "support/arithmetic/grid_index.h"
 
 namespace seamline::renderer {
 namespace {
@@ -23,8 +24,7 @@ struct TexelDirections {
   std::vector<SineAndCosine> elevation;  ///< of each row
 
   [[nodiscard]] Eigen::Vector3f at(int column, int row) const {
-    const SineAndCosine &a = azimuth[static_cast<std::size_t>(column)],
-                        &e = elevation[static_cast<std::size_t>(row)];
+    const SineAndCosine &a = azimuth[column], &e = elevation[row];
     return Eigen::Vector3d(a.sine * e.cosine, e.sine, -a.cosine * e.cosine).cast<float>();
   }
 };
@@ -57,10 +57,8 @@ void capture_band(const Geometry& geometry, const TexelDirections& directions, i
         ray++->direction = directions.at(left + column, top + row);
     geometry.distances(std::span(rays).first(count), std::span(distance_m).first(count));
     for (int row = 0; row < rows; ++row)
-      std::copy_n(
-          &distance_m[static_cast<std::size_t>(row * columns)], columns,
-          &map.distance_m[static_cast<std::size_t>(top + row) * static_cast<std::size_t>(map.width_px) +
-                          static_cast<std::size_t>(left)]);
+      std::copy_n(&distance_m[static_cast<std::size_t>(row * columns)], columns,
+                  &map.distance_m[grid_index(top + row, left, map.width_px)]);
   }
 }
 

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "renderer/depth/dense_sphere.h"
+#include "support/arithmetic/grid_index.h"
 #include "support/running/parallel.h"
 
 namespace seamline::renderer {
@@ -125,10 +126,7 @@ class Fit {
       for (int column = 0; column < width; ++column)
         for (const auto& [down, right] : {std::pair{0, 1}, {0, 2}, {1, 0}, {2, 0}}) {
           if (row + down >= height) continue;
-          const auto at = [&](int y, int x) {
-            return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                   static_cast<std::size_t>(x % width);
-          };
+          const auto at = [&](int y, int x) { return grid_index(y, x % width, width); };
           const std::size_t one = at(row, column), other = at(row + down, column + right);
           const int a = found_.face_of_texel[one], b = found_.face_of_texel[other];
           if (a < 0 || b < 0 || a == b) continue;
@@ -194,7 +192,7 @@ class Fit {
       if (turned.cwiseAbs().maxCoeff(&axis) < 0.99) return false;  // at no right angle to the others
       const double at_m = (box.axes.transpose() * middle_m(face))[axis];
       (turned[axis] > 0 ? box.most_m : box.least_m)[axis] = at_m;
-      is_face[static_cast<std::size_t>(axis)][turned[axis] > 0 ? 1 : 0] = true;
+      is_face[axis][turned[axis] > 0 ? 1 : 0] = true;
     }
     return ((box.most_m - box.least_m).array() > 0).all();
   }
@@ -205,7 +203,7 @@ class Fit {
         margin_texels * texel_rad() * (box.axes * (0.5 * (box.least_m + box.most_m))).norm();
     for (int axis = 0; axis < 3; ++axis)
       for (const int side : {0, 1}) {
-        if (is_face[static_cast<std::size_t>(axis)][static_cast<std::size_t>(side)]) continue;
+        if (is_face[axis][side]) continue;
         ModelBox wider = box;
         (side == 1 ? wider.most_m : wider.least_m)[axis] += side == 1 ? margin_m : -margin_m;
         if (shares_of(wider).second <= shares_of(box).second) box = wider;
@@ -294,9 +292,8 @@ void add_rectangle(DepthMesh& mesh, const ModelRectangle& rectangle) {
     const std::vector<std::uint8_t> cells = row_of(top);
     for (bottom = top + 1; bottom < rectangle.rows && row_of(bottom) == cells;) ++bottom;
     for (int left = 0, right = 0; left < rectangle.columns; left = right) {
-      const std::uint8_t solid = cells[static_cast<std::size_t>(left)];
-      for (right = left + 1; right < rectangle.columns && cells[static_cast<std::size_t>(right)] == solid;)
-        ++right;
+      const std::uint8_t solid = cells[left];
+      for (right = left + 1; right < rectangle.columns && cells[right] == solid;) ++right;
       if (solid == 0) continue;
       const auto at = [&](int column, int row) -> Eigen::Vector3d {
         return rectangle.corner_m + column * rectangle.u_m + row * rectangle.v_m;
@@ -347,7 +344,7 @@ ModelRecord judge(const CoarseModel& model, const DepthMap& map, double yaw_texe
   };
   std::vector<Row> rows(static_cast<std::size_t>(map.height_px));
   run_parallel(map.height_px, threads, [&](int row) {
-    Row& sums = rows[static_cast<std::size_t>(row)];
+    Row& sums = rows[row];
     const double weight = texel_solid_angle_sr(row, map.width_px, map.height_px);
     for (int column = 0; column < map.width_px; ++column) {
       const float measured_m = map.at(column, row);

@@ -7,6 +7,7 @@
 #include "renderer/depth/depth_map.h"
 #include "renderer/depth/plane_faces.h"
 #include "stimuli/set/manifest.h"
+#include "support/arithmetic/grid_index.h"
 
 namespace seamline::renderer {
 
@@ -19,8 +20,7 @@ struct ModelRectangle {
   std::vector<std::uint8_t> solid;  ///< row by row, 1: there
 
   [[nodiscard]] bool is_solid(int column, int row) const {
-    return solid[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
-                 static_cast<std::size_t>(column)] != 0;
+    return solid[grid_index(row, column, columns)] != 0;
   }
 };
 

@@ -43,7 +43,7 @@ float interpolate(const DepthMap& map, const BetweenTexels& column, const Betwee
 void resample(DenseSphere& sphere, const DepthMap& map, int threads) {
   std::vector<BetweenTexels> columns(static_cast<std::size_t>(sphere.width));
   for (int c = 0; c < sphere.width; ++c) {
-    BetweenTexels& column = columns[static_cast<std::size_t>(c)];
+    BetweenTexels& column = columns[c];
     column = between_texels(c, sphere.width, map.width_px);
     column.first = (column.first + map.width_px) % map.width_px;
     column.second %= map.width_px;
@@ -61,11 +61,11 @@ void resample(DenseSphere& sphere, const DepthMap& map, int threads) {
 
 /// One direction table: the angle's sine and cosine at (i + phase) / count of a turn or half turn.
 void fill_angles(std::vector<double>& sines, std::vector<double>& cosines, int count, auto angle_rad) {
-  sines.resize(static_cast<std::size_t>(count));
-  cosines.resize(static_cast<std::size_t>(count));
+  sines.resize(count);
+  cosines.resize(count);
   for (int i = 0; i < count; ++i) {
-    sines[static_cast<std::size_t>(i)] = std::sin(angle_rad(i));
-    cosines[static_cast<std::size_t>(i)] = std::cos(angle_rad(i));
+    sines[i] = std::sin(angle_rad(i));
+    cosines[i] = std::cos(angle_rad(i));
   }
 }
 

@@ -10,6 +10,7 @@
 #include "renderer/depth/depth_mesh.h"
 #include "renderer/depth/sensor/estimated_map.h"
 #include "renderer/depth/sensor/pixel_mesh.h"
+#include "support/arithmetic/grid_index.h"
 #include "support/running/parallel.h"
 
 namespace seamline::renderer {
@@ -42,9 +43,7 @@ void blind(DepthMap& map, const PanoramaSource& source) {
     const bool sees =
         elevation_deg >= source.lowest_elevation_deg && elevation_deg <= source.highest_elevation_deg;
     for (int column = 0; column < map.width_px; ++column) {
-      float& distance_m =
-          map.distance_m[static_cast<std::size_t>(row) * static_cast<std::size_t>(map.width_px) +
-                         static_cast<std::size_t>(column)];
+      float& distance_m = map.distance_m[grid_index(row, column, map.width_px)];
       const double value = static_cast<double>(distance_m);
       if (!sees || value < source.range.nearest_m || value > source.range.farthest_m)
         distance_m = sensors::hole;
@@ -77,8 +76,7 @@ std::vector<Value> widened(const std::vector<Value>& values, int width, int heig
   wide.reserve(2 * values.size());
   for (int row = 0; row < height; ++row)
     for (int column = -half; column < width + half; ++column)
-      wide.push_back(values[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
-                            static_cast<std::size_t>((column + width) % width)]);
+      wide.push_back(values[grid_index(row, (column + width) % width, width)]);
   return wide;
 }
 
@@ -91,8 +89,7 @@ std::vector<float> guide_values(const Geometry& truth, const DepthMap& map, doub
                     panorama_direction(column + yaw_texels + 0.5, row + 0.5, map.width_px, map.height_px)
                         .cast<float>()};
       if (const auto hit = truth.nearest(ray))
-        values[static_cast<std::size_t>(row) * static_cast<std::size_t>(map.width_px) +
-               static_cast<std::size_t>(column)] =
+        values[grid_index(row, column, map.width_px)] =
             hit->albedo.mean() * std::abs(hit->geometric_normal.dot(ray.direction));
     }
   });
@@ -118,8 +115,7 @@ std::int64_t mend(const Geometry& truth, const DepthSettings& settings, int thre
   for (int row = 0; row < map.height_px; ++row)
     for (int column = 0; column < map.width_px; ++column) {
       const std::size_t in_wide = repaired.frame.index(column + half, row);
-      map.distance_m[static_cast<std::size_t>(row) * static_cast<std::size_t>(map.width_px) +
-                     static_cast<std::size_t>(column)] = repaired.frame.depth_m[in_wide];
+      map.distance_m[grid_index(row, column, map.width_px)] = repaired.frame.depth_m[in_wide];
       invented += repaired.marks[in_wide] == sensors::RepairMark::invented ? 1 : 0;
     }
   return invented;
@@ -221,8 +217,7 @@ FittedModel fitted_model(const Geometry& truth, const DepthSettings& settings, i
 /// others become holes, and in `map` the model's distances.
 DepthMap left_over(DepthMap& map, double yaw_texels, const CoarseModel& model, int threads) {
   const auto at = [&](int row, int column) {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(map.width_px) +
-           static_cast<std::size_t>((column + map.width_px) % map.width_px);
+    return grid_index(row, (column + map.width_px) % map.width_px, map.width_px);
   };
   DepthMap rest = map;
   std::vector<char> explained(map.distance_m.size(), 0);
@@ -321,8 +316,7 @@ DepthMap reduced(const DepthMap& finer, Reduction reduction, int factor, int thr
         }
         return sensors::hole;
       };
-      map.distance_m[static_cast<std::size_t>(row) * static_cast<std::size_t>(map.width_px) +
-                     static_cast<std::size_t>(column)] = chosen();
+      map.distance_m[grid_index(row, column, map.width_px)] = chosen();
     }
   });
   return map;

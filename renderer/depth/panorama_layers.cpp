@@ -7,6 +7,7 @@
 #include "renderer/depth/dense_sphere.h"
 #include "renderer/depth/panorama_chain.h"
 #include "renderer/depth/sensor/pixel_mesh.h"
+#include "support/arithmetic/grid_index.h"
 #include "support/running/parallel.h"
 
 namespace seamline::renderer {
@@ -36,8 +37,7 @@ bool jumps(const DepthMap& map, int column, int row, int dx, int dy) {
 }
 
 std::size_t index(const DepthMap& map, int column, int row) {
-  return static_cast<std::size_t>(row) * static_cast<std::size_t>(map.width_px) +
-         static_cast<std::size_t>((column % map.width_px + map.width_px) % map.width_px);
+  return grid_index(row, (column % map.width_px + map.width_px) % map.width_px, map.width_px);
 }
 
 /// Linear between the texels around a place that belong to the one it lies in.

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "renderer/depth/dense_sphere.h"
+#include "support/arithmetic/grid_index.h"
 #include "support/arithmetic/random.h"
 
 namespace seamline::renderer {
@@ -118,8 +119,7 @@ class Search {
       const int aside = static_cast<int>(std::lround(across * (random_.uniform() * 2 - 1) * reach));
       const int y = std::clamp(row + down, 0, thin.height_px - 1),
                 x = (((column + aside) % thin.width_px) + thin.width_px) % thin.width_px;
-      const std::size_t at =
-          static_cast<std::size_t>(y) * static_cast<std::size_t>(thin.width_px) + static_cast<std::size_t>(x);
+      const std::size_t at = grid_index(y, x, thin.width_px);
       if (out_.face_of_texel[at] != unassigned) return std::nullopt;
       points.row(k) = out_.directions[at] * distance_m(at);
     }
@@ -202,8 +202,7 @@ class Search {
       for (const auto& [down, right] : {std::pair{0, 1}, {0, -1}, {1, 0}, {-1, 0}}) {
         const int y = row + down, x = (column + right + width) % width;
         if (y < 0 || y >= height) continue;
-        const std::size_t at =
-            static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+        const std::size_t at = grid_index(y, x, width);
         if (supporting[at] == 0) continue;
         supporting[at] = 0;
         part.push_back(at);
@@ -237,10 +236,7 @@ class Search {
     constexpr int near = 2;
     constexpr std::int64_t enough = 50;
     const int width = out_.thin.width_px, height = out_.thin.height_px;
-    const auto at = [&](int y, int x) {
-      return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-             static_cast<std::size_t>((x + width) % width);
-    };
+    const auto at = [&](int y, int x) { return grid_index(y, (x + width) % width, width); };
     std::vector<int> inner = out_.face_of_texel;
     std::vector<std::int64_t> count(out_.faces.size(), 0);
     for (int row = 0; row < height; ++row)
@@ -252,13 +248,13 @@ class Search {
           for (int x = column - near; x <= column + near; ++x)
             alone = alone && out_.face_of_texel[at(y, x)] == face;
         if (alone)
-          ++count[static_cast<std::size_t>(face)];
+          ++count[face];
         else
           inner[at(row, column)] = -1;
       }
     for (std::size_t i = 0; i < inner.size(); ++i) {
       const int face = out_.face_of_texel[i];
-      if (face >= 0 && count[static_cast<std::size_t>(face)] < enough) inner[i] = face;
+      if (face >= 0 && count[face] < enough) inner[i] = face;
     }
     return inner;
   }
@@ -268,15 +264,12 @@ class Search {
     std::vector<PlaneSums> sums(out_.faces.size());
     for (int row = 0; row < out_.thin.height_px * step_; ++row)
       for (int column = 0; column < out_.thin.width_px * step_; ++column) {
-        const int face = face_of_thin[static_cast<std::size_t>(row / step_) *
-                                          static_cast<std::size_t>(out_.thin.width_px) +
-                                      static_cast<std::size_t>(column / step_)];
+        const int face = face_of_thin[grid_index(row / step_, column / step_, out_.thin.width_px)];
         if (face < 0) continue;
         const Eigen::Vector3d direction = direction_in_map(column, row);
-        const Eigen::Vector3d& inverse = out_.faces[static_cast<std::size_t>(face)].inverse;
+        const Eigen::Vector3d& inverse = out_.faces[face].inverse;
         const double error = relative_error(inverse, direction, static_cast<double>(map_.at(column, row)));
-        if (std::abs(error) <= tolerance[static_cast<std::size_t>(face)])
-          sums[static_cast<std::size_t>(face)].add(inverse, direction, error);
+        if (std::abs(error) <= tolerance[face]) sums[face].add(inverse, direction, error);
       }
     return sums;
   }

@@ -11,6 +11,7 @@
 #include "renderer/depth/depth_map.h"
 #include "renderer/transport/transport.h"
 #include "support/arithmetic/colour.h"
+#include "support/arithmetic/grid_index.h"
 
 namespace seamline::renderer {
 namespace {
@@ -65,9 +66,7 @@ struct Field {
       : width_px(width),
         height_px(height),
         values(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0.0F) {}
-  [[nodiscard]] std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px) + static_cast<std::size_t>(x);
-  }
+  [[nodiscard]] std::size_t index(int x, int y) const { return grid_index(y, x, width_px); }
   /// Linear between pixel centres, borders repeated.
   [[nodiscard]] float at(const Eigen::Array2f& place) const {
     const float x = std::clamp(place[0] - 0.5F, 0.0F, static_cast<float>(width_px - 1));

@@ -180,7 +180,7 @@ void look_through(const SceneGeometry& geometry, const Ray& ray, float weight, C
   const auto nearest_without = [&](int left_out) {
     const SurfacePoint* nearest = room ? &*room : nullptr;
     for (int k = 1; k <= geometry.worlds.object_count; ++k)
-      if (const auto& hit = alone[static_cast<std::size_t>(k - 1)];
+      if (const auto& hit = alone[k - 1];
           k != left_out && hit && (nearest == nullptr || hit->distance_m < nearest->distance_m))
         nearest = &*hit;
     return nearest;
@@ -248,8 +248,7 @@ std::shared_ptr<const SeenEmission> find_seen_emission(const TruthScene& scene, 
         const PictureSquare pixel{static_cast<float>(x), static_cast<float>(y), 1.0F};
         const Pieces here = pieces_in(cone_around(camera, {x, y}, pixel), near);
         if (std::any_of(here.begin(), here.end(), [](const EmitterPiece& piece) { return piece.is_small; }))
-          of_blocks[static_cast<std::size_t>(block)].emplace_back(blocks.index(x, y),
-                                                                  class_means(scene, geometry, x, y, here));
+          of_blocks[block].emplace_back(blocks.index(x, y), class_means(scene, geometry, x, y, here));
       }
   });
   auto seen = std::make_shared<SeenEmission>();

@@ -214,11 +214,9 @@ void filter_tile(const PairWeights& weights, const std::vector<Surface>& surface
       const int line = y + other.dy * step, column = r.left + other.dx * step;
       for (int i = 0; i < count; ++i)
         if (share[i] > 0.0F)
-          sum[static_cast<std::size_t>(i)].sums +=
-              share[i] * texels[grid.index(wrapped(grid, column + i), line)].sums;
+          sum[i].sums += share[i] * texels[grid.index(wrapped(grid, column + i), line)].sums;
     }
-    for (int i = 0; i < count; ++i)
-      sum[static_cast<std::size_t>(i)].sums += own[i] * texels[grid.index(r.left + i, y)].sums;
+    for (int i = 0; i < count; ++i) sum[i].sums += own[i] * texels[grid.index(r.left + i, y)].sums;
     std::copy_n(sum.begin(), count, filtered.begin() + static_cast<std::ptrdiff_t>(grid.index(r.left, y)));
   }
 }
@@ -248,7 +246,7 @@ void filter_bounce(const std::vector<Surface>& surfaces, const TileGrid& grid, c
   PairWeights weights(grid);
   const auto each_tile = [&](const TileSet& tiles, const auto& work) {
     parallel_for(grid.count(), threads, [&](int tile) {
-      if (tiles[static_cast<std::size_t>(tile)] != 0) work(tile);
+      if (tiles[tile] != 0) work(tile);
     });
   };
   for (int level = 0; level < strength.levels; ++level) {

@@ -168,7 +168,7 @@ Composite compose_pixels(const std::vector<StimulusPixel>& pixels, const std::ve
   const PictureLight light = picture_light(pixels, as_sampled, sums, samples, threads);
   std::vector<TinyDenominators> tiny(static_cast<std::size_t>(sums.height_px));
   parallel_for(sums.height_px, threads, [&](int y) {
-    TinyDenominators& row = tiny[static_cast<std::size_t>(y)];
+    TinyDenominators& row = tiny[y];
     for (int x = 0; x < sums.width_px; ++x) {
       const std::size_t i = out.picture.index(x, y) / 3;
       const StimulusPixel& pixel = pixels[i];

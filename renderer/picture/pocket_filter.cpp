@@ -53,8 +53,7 @@ void smooth(std::vector<PocketLight>& from, const std::vector<bool>& pockets,
             if (column < 0 || row < 0 || column >= grid.width_px || row >= grid.height_px) continue;
             const std::size_t i = grid.index(column, row);
             if (!pockets[i]) continue;
-            const float weight =
-                b_spline[static_cast<std::size_t>(dx + 2)] * b_spline[static_cast<std::size_t>(dy + 2)];
+            const float weight = b_spline[dx + 2] * b_spline[dy + 2];
             to[centre].add(from[i], i == centre ? weight : weight * likeness(guides[centre], guides[i]));
           }
       }

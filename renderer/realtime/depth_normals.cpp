@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "raytracer/common/parallel.h"
+#include "support/arithmetic/grid_index.h"
 
 namespace seamline::renderer {
 namespace {
@@ -47,8 +48,7 @@ NormalPicture cross_product_normals(const DepthPicture& depth, const DrawView& v
                     std::vector<Eigen::Vector3f>(depth.depth_m.size(), Eigen::Vector3f::Zero())};
   parallel_for(depth.height_px, threads, [&](int y) {
     for (int x = 0; x < depth.width_px; ++x)
-      out.normals[static_cast<std::size_t>(y) * static_cast<std::size_t>(depth.width_px) +
-                  static_cast<std::size_t>(x)] = cross_product_normal(depth, view, x, y);
+      out.normals[grid_index(y, x, depth.width_px)] = cross_product_normal(depth, view, x, y);
   });
   return out;
 }
@@ -101,8 +101,7 @@ NormalPicture draw_normals(const DrawView& view, const TriangleSpan& mesh,
         const float a = 1.0F - b - c;
         if (!(a >= -1e-4F && b >= -1e-4F && c >= -1e-4F)) continue;
         const float over_depth = a / seen[0].z() + b / seen[1].z() + c / seen[2].z();
-        const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(depth.width_px) +
-                       static_cast<std::size_t>(x);
+        const auto i = grid_index(y, x, depth.width_px);
         if (!(over_depth > nearest[i])) continue;
         nearest[i] = over_depth;
         Eigen::Vector3f normal = vertex_normals[triangle[0]] * (a / seen[0].z()) +

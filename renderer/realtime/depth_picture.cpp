@@ -154,9 +154,8 @@ void draw_mesh(const CornerProjection& projection, const ProjectedMesh& mesh,
         std::array<Eigen::Vector3f, 4> polygon;
         const int corners = cut_at_nearest(seen, polygon);
         for (int i = 2; i < corners; ++i)
-          band.draw(projection.corner(polygon[0]),
-                    projection.corner(polygon[static_cast<std::size_t>(i - 1)]),
-                    projection.corner(polygon[static_cast<std::size_t>(i)]));
+          band.draw(projection.corner(polygon[0]), projection.corner(polygon[i - 1]),
+                    projection.corner(polygon[i]));
         continue;
       }
     }

@@ -8,6 +8,7 @@
 #include "raytracer/common/parallel.h"
 #include "renderer/realtime/depth_normals.h"
 #include "renderer/realtime/harmonics/spherical_harmonics.h"
+#include "support/arithmetic/grid_index.h"
 
 namespace seamline::renderer {
 namespace {
@@ -28,9 +29,7 @@ std::array<int, 3> cell_of(const VertexTransfers& transfers, const Eigen::Vector
 }
 
 std::size_t number_of(const VertexTransfers& transfers, const std::array<int, 3>& cell) {
-  return (static_cast<std::size_t>(cell[2]) * static_cast<std::size_t>(transfers.cells[1]) +
-          static_cast<std::size_t>(cell[1])) *
-             static_cast<std::size_t>(transfers.cells[0]) +
+  return grid_index(cell[2], cell[1], transfers.cells[1]) * static_cast<std::size_t>(transfers.cells[0]) +
          static_cast<std::size_t>(cell[0]);
 }
 
@@ -103,7 +102,7 @@ Eigen::Matrix3f frame_about(const Eigen::Vector3f& axis) {
 Rgb inner(const FieldLight& fields, std::span<const float> transfer) {
   Rgb sum = Rgb::Zero();
   for (int channel = 0; channel < 3; ++channel) {
-    const std::vector<float>& light = fields.light[static_cast<std::size_t>(channel)];
+    const std::vector<float>& light = fields.light[channel];
     for (std::size_t k = 0; k < transfer.size(); ++k) sum[channel] += light[k] * transfer[k];
   }
   return sum;
@@ -138,9 +137,7 @@ VertexTransfers sample_transfers(std::span<const TriangleSpan> object, const Are
       // All that would arrive, less what is hidden.
       evaluate_harmonics(bands, out.normals[i].cast<double>(), values);
       for (int l = 0, k = 0; l < bands; ++l)
-        for (int m = -l; m <= l; ++m, ++k)
-          sum[static_cast<std::size_t>(k)] =
-              of_bands[static_cast<std::size_t>(l)] * values[static_cast<std::size_t>(k)];
+        for (int m = -l; m <= l; ++m, ++k) sum[k] = of_bands[l] * values[k];
       for (std::size_t r = 0; r < directions.size(); ++r) {
         if (hits[r] == 0) continue;
         evaluate_harmonics(bands, asked[r].direction.cast<double>(), values);
@@ -220,8 +217,7 @@ Rgb field_shadow(const FieldLight& fields, const Eigen::Vector3f& point_m, const
   fields.unhidden.look_up(normal, unhidden);
   Rgb out;
   for (int channel = 0; channel < 3; ++channel)
-    out[channel] = field_attenuation(triple_table(bands), fields.light[static_cast<std::size_t>(channel)],
-                                     unhidden, seen);
+    out[channel] = field_attenuation(triple_table(bands), fields.light[channel], unhidden, seen);
   return out;
 }
 

@@ -25,8 +25,8 @@ std::optional<LightSample> ask(const RealtimeWorld& world, const Questions& ques
                                const SurfacePoint& point, const Sampler& sampler) {
   const bool is_lamp = number >= questions.suns && number < questions.has_shape();
   if (is_lamp && questions.each_lamp)
-    return light_sample(world.each_lamp[static_cast<std::size_t>(number - questions.suns)], 0, point,
-                        Rgb::Ones(), sampler, 0, EmissionHits::unknown);
+    return light_sample(world.each_lamp[number - questions.suns], 0, point, Rgb::Ones(), sampler, 0,
+                        EmissionHits::unknown);
   if (number >= questions.has_shape()) number -= questions.lamps - (world.light.lamps.empty() ? 0 : 1);
   return light_sample(world.light, number, point, Rgb::Ones(), sampler, 0, EmissionHits::unknown);
 }
@@ -34,9 +34,8 @@ std::optional<LightSample> ask(const RealtimeWorld& world, const Questions& ques
 /// The map of a question's light; null where there is none.
 const ShadowMap* map_of(const std::optional<ShadowMaps>& maps, const Questions& questions, int number) {
   if (!maps) return nullptr;
-  if (number < questions.suns) return &maps->suns[static_cast<std::size_t>(number)];
-  if (questions.each_lamp && number < questions.has_shape())
-    return &maps->lamps[static_cast<std::size_t>(number - questions.suns)];
+  if (number < questions.suns) return &maps->suns[number];
+  if (questions.each_lamp && number < questions.has_shape()) return &maps->lamps[number - questions.suns];
   return nullptr;
 }
 
@@ -63,9 +62,8 @@ float weight_of(const RealtimeWorld& world, const Questions& questions, int numb
   const auto luminance = [](const Rgb& light) {
     return 0.2126F * light[0] + 0.7152F * light[1] + 0.0722F * light[2];
   };
-  if (number < questions.suns)
-    return luminance(world.light.suns[static_cast<std::size_t>(number)].irradiance_w_m2);
-  const Lamp& lamp = world.each_lamp[static_cast<std::size_t>(number - questions.suns)].lamps.front();
+  if (number < questions.suns) return luminance(world.light.suns[number].irradiance_w_m2);
+  const Lamp& lamp = world.each_lamp[number - questions.suns].lamps.front();
   const Eigen::Vector3f away = point_m - lamp.position_m;
   const float distance_m = away.norm();
   return distance_m > 0.0F ? luminance(intensity_towards(lamp, away / distance_m)) / (distance_m * distance_m)

@@ -7,7 +7,7 @@ WorldSet Worlds::reached_past_room(const Ray& ray, WorldSet set, RayCounts* coun
   WorldSet reached = 0;
   for (int world = 1; world <= object_count; ++world) {
     if ((set & only_world(world)) == 0) continue;
-    const Geometry* there = others[static_cast<std::size_t>(world - 1)];
+    const Geometry* there = others[world - 1];
     if (there == nullptr || !there->occluded(ray, counts)) reached |= only_world(world);
   }
   return reached;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "support/arithmetic/grid_index.h"
+
 namespace seamline::renderer {
 
 Image planar_depth_m(const Camera& camera, const std::function<std::optional<float>(const Ray&)>& nearest_m) {
@@ -44,9 +46,7 @@ ByteImage beside(const ByteImage& left, const ByteImage& right) {
     for (int x = 0; x < from.width_px; ++x)
       for (int channel = 0; channel < both.channels; ++channel)
         both.values.push_back(
-            from.values[(static_cast<std::size_t>(y) * static_cast<std::size_t>(from.width_px) +
-                         static_cast<std::size_t>(x)) *
-                            static_cast<std::size_t>(from.channels) +
+            from.values[grid_index(y, x, from.width_px) * static_cast<std::size_t>(from.channels) +
                         static_cast<std::size_t>(std::min(channel, from.channels - 1))]);
   };
   for (int y = 0; y < left.height_px; ++y) {

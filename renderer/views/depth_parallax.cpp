@@ -7,6 +7,7 @@
 
 #include "raytracer/common/parallel.h"
 #include "support/arithmetic/bilinear.h"
+#include "support/arithmetic/grid_index.h"
 
 namespace seamline::renderer {
 namespace {
@@ -62,8 +63,7 @@ void take_depth_parallax(const DepthParallax& from, Composite& composite) {
   const int rows = from.view.views * from.camera.eyes->panorama_rows;
   parallel_for(rows, from.threads, [&](int y) {
     for (int x = 0; x < from.camera.width_px; ++x) {
-      const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(from.camera.width_px) +
-                     static_cast<std::size_t>(x);
+      const auto i = grid_index(y, x, from.camera.width_px);
       const StimulusPixel &first = from.sums.halves[0][i], &second = from.sums.halves[1][i];
       const float surfaces = first.uncovered_surfaces + second.uncovered_surfaces;
       if (surfaces <= 0) continue;

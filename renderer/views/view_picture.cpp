@@ -8,6 +8,7 @@
 #include "renderer/views/depth_image.h"
 #include "renderer/views/lens_sheet.h"
 #include "stimuli/definition/parts/task_definition.h"
+#include "support/arithmetic/grid_index.h"
 
 namespace seamline::renderer {
 namespace {
@@ -20,8 +21,7 @@ ByteImage seen_by_most(const ByteImage& all_eyes, int eyes) {
     for (int x = 0; x < width_px; ++x) {
       std::array<int, most_objects_of_scene + 1> votes{};
       for (int eye = 0; eye < eyes; ++eye)
-        ++votes.at(all_eyes.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(all_eyes.width_px) +
-                                   static_cast<std::size_t>(eye * width_px + x)]);
+        ++votes.at(all_eyes.values[grid_index(y, eye * width_px + x, all_eyes.width_px)]);
       const auto most = std::max_element(votes.begin() + 1, votes.end());
       ids.values.push_back(static_cast<std::uint8_t>(*most > 0 ? most - votes.begin() : 0));
     }

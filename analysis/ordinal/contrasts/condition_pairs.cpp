@@ -106,7 +106,7 @@ ConditionPairs compare_condition_pairs(std::span<const study::Answer> answers,
   const std::vector<Pair> pairs = pairs_of(cells, every_condition(answers, request.conditions));
   std::vector<FittedPair> fitted(pairs.size());
   run_parallel(static_cast<int>(pairs.size()), request.fit.threads, [&](int index) {
-    const Pair& pair = pairs[static_cast<std::size_t>(index)];
+    const Pair& pair = pairs[index];
     std::vector<std::size_t> rows;
     for (const Artifact artifact : pair.artifacts)
       for (const std::string& condition : {pair.first, pair.condition}) {
@@ -116,8 +116,7 @@ ConditionPairs compare_condition_pairs(std::span<const study::Answer> answers,
     std::sort(rows.begin(), rows.end());
     std::vector<study::Answer> of_pair;
     for (const std::size_t row : rows) of_pair.push_back(answers[row]);
-    fitted[static_cast<std::size_t>(index)] =
-        fit_pair(pair, std::move(of_pair), groups, request, reference_level);
+    fitted[index] = fit_pair(pair, std::move(of_pair), groups, request, reference_level);
   });
 
   ConditionPairs result;

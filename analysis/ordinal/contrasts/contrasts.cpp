@@ -132,9 +132,8 @@ ContrastTable test_contrasts(const ContrastFamily& family, const Eigen::VectorXd
   Eigen::VectorXd t(count);
   std::vector<ContrastRow*> rows;
   for (Eigen::Index i = 0; i < count; ++i) {
-    ContrastRow& row = table.rows[estimable[static_cast<std::size_t>(i)]];
-    weights.row(i) =
-        family.contrasts[estimable[static_cast<std::size_t>(i)]].weights.transpose() / row.standard_error;
+    ContrastRow& row = table.rows[estimable[i]];
+    weights.row(i) = family.contrasts[estimable[i]].weights.transpose() / row.standard_error;
     t[i] = row.estimate / row.standard_error;
     rows.push_back(&row);
   }

@@ -44,7 +44,7 @@ const Eigen::VectorXd& lattice_axis(Eigen::Index axis) {
       along[point] = normal_quantile(std::clamp(place, 1e-12, 1 - 1e-12));
     }
   }
-  return axes[static_cast<std::size_t>(axis)];
+  return axes[axis];
 }
 
 /// L with L L' = correlation, without the directions in which nothing varies.
@@ -71,10 +71,10 @@ MaxAbsT::MaxAbsT(const Eigen::MatrixXd& correlation, double degrees_of_freedom)
   std::vector<double> all(lattice_points);
   Eigen::VectorXd direction(dimension_), contrasts(count_);
   for (int point = 0; point < lattice_points; ++point) {
-    for (Eigen::Index d = 0; d < dimension_; ++d) direction[d] = (*axes[static_cast<std::size_t>(d)])[point];
+    for (Eigen::Index d = 0; d < dimension_; ++d) direction[d] = (*axes[d])[point];
     const double length = direction.norm();
     contrasts.noalias() = root * direction;
-    all[static_cast<std::size_t>(point)] = length > 0 ? contrasts.cwiseAbs().maxCoeff() / length : 0;
+    all[point] = length > 0 ? contrasts.cwiseAbs().maxCoeff() / length : 0;
   }
   std::sort(all.begin(), all.end());
   constexpr int per_share = lattice_points / shares;

@@ -36,8 +36,7 @@ std::string object_name(const ObjectKey& key, const std::set<ObjectKey>& all) {
   constexpr std::array<std::string_view, study::objects_per_stimulus> places = {"left", "middle", "right"};
   const bool known = place >= 1 && objects == study::objects_per_stimulus;
   return fmt::format("{} ({})", scene_and_name,
-                     known ? std::string(places[static_cast<std::size_t>(place - 1)])
-                           : std::to_string(place) + " from the left");
+                     known ? std::string(places[place - 1]) : std::to_string(place) + " from the left");
 }
 
 /// The middle of the axis.

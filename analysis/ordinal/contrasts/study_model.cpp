@@ -43,10 +43,9 @@ std::vector<CoefficientRow> coefficient_rows(const OrdinalStudy& study, const Ei
   };
   const Eigen::Index cuts = fit.cuts.size();
   for (Eigen::Index k = 0; k < cuts; ++k)
-    add("cut " + fit.cut_names[static_cast<std::size_t>(k)], fit.cuts[k], std::sqrt(covariance(k, k)), false);
+    add("cut " + fit.cut_names[k], fit.cuts[k], std::sqrt(covariance(k, k)), false);
   for (Eigen::Index j = 0; j < fit.coefficients.size(); ++j)
-    add(fit.coefficient_names[static_cast<std::size_t>(j)], fit.coefficients[j],
-        std::sqrt(covariance(cuts + j, cuts + j)), true);
+    add(fit.coefficient_names[j], fit.coefficients[j], std::sqrt(covariance(cuts + j, cuts + j)), true);
   CoefficientRow sd{.name = "SD of participants",
                     .estimate = fit.participant_sd,
                     .standard_error = nan,

@@ -78,8 +78,7 @@ bool maximise_fixed(const OrdinalData& data, const OrdinalProblem& problem, cons
   if (separation.found) {
     std::vector<std::string> names;
     for (Eigen::Index j = 0; j < problem.x.cols(); ++j)
-      if (std::abs(separation.direction[problem.cuts() + j]) > 0.05)
-        names.push_back(data.predictor_names[static_cast<std::size_t>(j)]);
+      if (std::abs(separation.direction[problem.cuts() + j]) > 0.05) names.push_back(data.predictor_names[j]);
     give_up(
         fit, OrdinalVerdict::separated,
         fmt::format("The scores are separated by {}: the likelihood rises without end, so the estimate is "

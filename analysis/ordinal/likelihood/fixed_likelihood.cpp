@@ -47,7 +47,7 @@ Evaluation fixed_likelihood(const OrdinalProblem& problem, Link link, const Eige
   run_parallel(chunks, threads, [&](int chunk) {
     const Eigen::Index begin = chunk * chunk_rows;
     const RowRange rows{.begin = begin, .end = std::min(problem.rows(), begin + chunk_rows)};
-    parts[static_cast<std::size_t>(chunk)] = of_rows(problem, link, parameters, x_beta, rows);
+    parts[chunk] = of_rows(problem, link, parameters, x_beta, rows);
   });
   Evaluation sum = std::move(parts.front());
   for (std::size_t chunk = 1; chunk < parts.size(); ++chunk) {
@@ -60,11 +60,11 @@ Evaluation fixed_likelihood(const OrdinalProblem& problem, Link link, const Eige
 
 Eigen::VectorXd null_parameters(const OrdinalProblem& problem, Link link) {
   std::vector<double> count(static_cast<std::size_t>(problem.categories()), 0.0);
-  for (const int category : problem.category) count[static_cast<std::size_t>(category)] += 1;
+  for (const int category : problem.category) count[category] += 1;
   Eigen::VectorXd parameters = Eigen::VectorXd::Zero(problem.cuts() + problem.x.cols());
   double below = 0;
   for (int cut = 0; cut < problem.cuts(); ++cut) {
-    below += count[static_cast<std::size_t>(cut)];
+    below += count[cut];
     const double share = below / static_cast<double>(problem.rows());
     parameters[cut] = link == Link::logit ? logistic_quantile(share) : normal_quantile(share);
   }

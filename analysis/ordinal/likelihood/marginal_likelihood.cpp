@@ -49,7 +49,7 @@ Evaluation marginal_likelihood(const OrdinalProblem& problem, Link link, const Q
       .value = 0, .gradient = Eigen::VectorXd::Zero(size), .hessian = Eigen::MatrixXd::Zero(size, size)};
   std::vector<Evaluation> parts(static_cast<std::size_t>(chunks), nothing);
   run_parallel(chunks, threads, [&](int chunk) {
-    Evaluation& sum = parts[static_cast<std::size_t>(chunk)];
+    Evaluation& sum = parts[chunk];
     const int first = chunk * chunk_participants;
     for (int p = first; p < std::min(problem.participants(), first + chunk_participants); ++p) {
       const ParticipantPart of_one =
@@ -75,8 +75,7 @@ std::vector<ParticipantPart> participant_parts(const OrdinalProblem& problem, Li
   const Eigen::VectorXd x_beta = x_beta_of(problem, parameters);
   std::vector<ParticipantPart> parts(static_cast<std::size_t>(problem.participants()));
   run_parallel(problem.participants(), threads, [&](int p) {
-    parts[static_cast<std::size_t>(p)] =
-        part_of({problem, link, parameters, x_beta, rows_of(problem, p)}, quadrature);
+    parts[p] = part_of({problem, link, parameters, x_beta, rows_of(problem, p)}, quadrature);
   });
   return parts;
 }

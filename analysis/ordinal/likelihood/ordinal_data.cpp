@@ -45,8 +45,7 @@ void check_ordinal_data(const OrdinalData& data) {
   for (Eigen::Index j = 0; j < data.predictors.cols(); ++j)
     for (Eigen::Index i = 0; i < rows; ++i)
       if (!std::isfinite(data.predictors(i, j)))
-        complain(fmt::format("predictor '{}' of observation {}",
-                             data.predictor_names[static_cast<std::size_t>(j)], i + 1),
+        complain(fmt::format("predictor '{}' of observation {}", data.predictor_names[j], i + 1),
                  "a finite number", fmt::format("{}", data.predictors(i, j)));
 }
 
@@ -54,7 +53,7 @@ OrdinalProblem prepare(const OrdinalData& data, bool with_participants) {
   OrdinalProblem problem;
   const auto rows = static_cast<Eigen::Index>(data.score.size());
   std::vector<int> category_of(static_cast<std::size_t>(data.highest - data.lowest + 1), -1);
-  for (const int score : data.score) category_of[static_cast<std::size_t>(score - data.lowest)] = 0;
+  for (const int score : data.score) category_of[score - data.lowest] = 0;
   for (std::size_t s = 0; s < category_of.size(); ++s) {
     const int score = data.lowest + static_cast<int>(s);
     if (category_of[s] < 0) {
@@ -72,7 +71,7 @@ OrdinalProblem prepare(const OrdinalData& data, bool with_participants) {
                      [&](std::size_t a, std::size_t b) { return data.participant[a] < data.participant[b]; });
   problem.x.resize(rows, data.predictors.cols());
   for (Eigen::Index row = 0; row < rows; ++row) {
-    const std::size_t from = order[static_cast<std::size_t>(row)];
+    const std::size_t from = order[row];
     problem.category.push_back(category_of[static_cast<std::size_t>(data.score[from] - data.lowest)]);
     if (data.predictors.cols() > 0) problem.x.row(row) = data.predictors.row(static_cast<Eigen::Index>(from));
     if (!with_participants) continue;

@@ -102,8 +102,8 @@ ParticipantIntegral::Nodes ParticipantIntegral::nodes(const GaussHermite& rule) 
 Eigen::VectorXd ParticipantIntegral::score(const AtEffect& terms, double v) const {
   RowSlopes slopes{.u = Eigen::ArrayXd(rows_.size()), .l = Eigen::ArrayXd(rows_.size())};
   for (Eigen::Index i = 0; i < rows_.size(); ++i) {
-    slopes.u[i] = terms.rows[static_cast<std::size_t>(i)].u;
-    slopes.l[i] = terms.rows[static_cast<std::size_t>(i)].l;
+    slopes.u[i] = terms.rows[i].u;
+    slopes.l[i] = terms.rows[i].l;
   }
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(size_);
   add_gradient(problem_, rows_, slopes, gradient);
@@ -118,7 +118,7 @@ double ParticipantIntegral::value_and_gradient(const GaussHermite& rule, Eigen::
   RowSlopes of_slope{.u = Eigen::ArrayXd(rows_.size()), .l = Eigen::ArrayXd(rows_.size())};
   RowSlopes of_curvature = of_slope;
   for (Eigen::Index i = 0; i < rows_.size(); ++i) {
-    const IntervalTerms& terms = peak.rows[static_cast<std::size_t>(i)];
+    const IntervalTerms& terms = peak.rows[i];
     of_slope.u[i] = sd_ * terms.su();
     of_slope.l[i] = sd_ * terms.sl();
     of_curvature.u[i] = sd_ * sd_ * terms.ssu;
@@ -136,8 +136,8 @@ double ParticipantIntegral::value_and_gradient(const GaussHermite& rule, Eigen::
 
   gradient = tau_by / tau_;
   for (Eigen::Index q = 0; q < rule.node.size(); ++q) {
-    const double v = all.v[static_cast<std::size_t>(q)];
-    const AtEffect& terms = all.terms[static_cast<std::size_t>(q)];
+    const double v = all.v[q];
+    const AtEffect& terms = all.terms[q];
     const double slope = sd_ * terms.s - v;
     gradient +=
         all.weight[q] * (score(terms, v) + slope * (mode_by + std::numbers::sqrt2 * rule.node[q] * tau_by));
@@ -154,11 +154,11 @@ Eigen::MatrixXd ParticipantIntegral::hessian(const GaussHermite& rule) const {
   double sd_sd = 0;
   Eigen::MatrixXd scores(size_, rule.node.size());
   for (Eigen::Index q = 0; q < rule.node.size(); ++q) {
-    const double v = all.v[static_cast<std::size_t>(q)];
+    const double v = all.v[q];
     const double weight = all.weight[q];
-    const AtEffect& terms = all.terms[static_cast<std::size_t>(q)];
+    const AtEffect& terms = all.terms[q];
     for (Eigen::Index i = 0; i < rows_.size(); ++i) {
-      const IntervalTerms& row = terms.rows[static_cast<std::size_t>(i)];
+      const IntervalTerms& row = terms.rows[i];
       mean.uu[i] += weight * row.uu;
       mean.ul[i] += weight * row.ul;
       mean.ll[i] += weight * row.ll;

@@ -6,7 +6,7 @@ namespace seamline::analysis {
 
 RowEnds row_ends(const OrdinalProblem& problem, const Eigen::VectorXd& parameters,
                  const Eigen::VectorXd& x_beta, Eigen::Index row) {
-  const int c = problem.category[static_cast<std::size_t>(row)];
+  const int c = problem.category[row];
   return {.upper = c < problem.cuts() ? parameters[c] - x_beta[row] : infinity,
           .lower = c > 0 ? parameters[c - 1] - x_beta[row] : -infinity};
 }
@@ -15,7 +15,7 @@ void add_gradient(const OrdinalProblem& problem, const RowRange& rows, const Row
                   Eigen::VectorXd& gradient) {
   const int cuts = problem.cuts();
   for (Eigen::Index i = 0; i < rows.size(); ++i) {
-    const int c = problem.category[static_cast<std::size_t>(rows.begin + i)];
+    const int c = problem.category[rows.begin + i];
     if (c < cuts) gradient[c] += slopes.u[i];
     if (c > 0) gradient[c - 1] += slopes.l[i];
   }
@@ -29,7 +29,7 @@ void add_hessian(const OrdinalProblem& problem, const RowRange& rows, const RowC
   const Eigen::Index columns = problem.x.cols();
   Eigen::MatrixXd by_cut = Eigen::MatrixXd::Zero(rows.size(), cuts);  // d2 / d cut d eta of each row
   for (Eigen::Index i = 0; i < rows.size(); ++i) {
-    const int c = problem.category[static_cast<std::size_t>(rows.begin + i)];
+    const int c = problem.category[rows.begin + i];
     if (c < cuts) {
       hessian(c, c) += curvatures.uu[i];
       by_cut(i, c) -= curvatures.uu[i] + curvatures.ul[i];

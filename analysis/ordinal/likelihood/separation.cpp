@@ -23,7 +23,7 @@ Eigen::MatrixXd gram_of_ends(const OrdinalProblem& problem) {
                      .ul = Eigen::ArrayXd::Zero(problem.rows()),
                      .ll = Eigen::ArrayXd::Zero(problem.rows())};
   for (Eigen::Index row = 0; row < problem.rows(); ++row) {
-    const int c = problem.category[static_cast<std::size_t>(row)];
+    const int c = problem.category[row];
     if (c < problem.cuts()) ones.uu[row] = 1;
     if (c > 0) ones.ll[row] = 1;
   }

@@ -103,7 +103,7 @@ PooledChoices pooled_choices(const study::LogContents& log, const std::vector<st
              columns = static_cast<Eigen::Index>(levels.size());
   choices.correct = choices.trials = Eigen::MatrixXd::Zero(rows, columns);
   for (Eigen::Index row = 0; row < rows; ++row)
-    for (const auto& [level, tally] : tallies[choices.people[static_cast<std::size_t>(row)]]) {
+    for (const auto& [level, tally] : tallies[choices.people[row]]) {
       const auto column = static_cast<Eigen::Index>(std::distance(levels.begin(), levels.find(level)));
       choices.correct(row, column) = tally.first;
       choices.trials(row, column) = tally.second;

@@ -87,8 +87,7 @@ class Climb {
 
   Maximum from(Theta at) {
     for (int i = 0; i < 4; ++i)
-      if (!held_.fixed[static_cast<std::size_t>(i)])
-        at[i] = std::clamp(at[i], lower_[i], std::max(lower_[i], upper_[i]));
+      if (!held_.fixed[i]) at[i] = std::clamp(at[i], lower_[i], std::max(lower_[i], upper_[i]));
     View here = view(at);
     double damping = 0;
     bool converged = false;
@@ -131,15 +130,14 @@ class Climb {
     std::array<bool, 4> rests{};
     Eigen::Vector4d slope = here.gradient;
     for (int i = 0; i < 4; ++i) {
-      bool& rest = rests[static_cast<std::size_t>(i)];
-      rest = held_.fixed[static_cast<std::size_t>(i)] || lower_[i] >= upper_[i] ||
-             (problem_.equal_rates && i == parameter::guess) || (at[i] <= lower_[i] && slope[i] <= 0) ||
-             (at[i] >= upper_[i] && slope[i] >= 0);
+      bool& rest = rests[i];
+      rest = held_.fixed[i] || lower_[i] >= upper_[i] || (problem_.equal_rates && i == parameter::guess) ||
+             (at[i] <= lower_[i] && slope[i] <= 0) || (at[i] >= upper_[i] && slope[i] >= 0);
       if (rest) slope[i] = 0;
     }
     const auto solve = [&](Eigen::Matrix4d curvature, double extra, Eigen::Vector4d& move) {
       for (int i = 0; i < 4; ++i) {
-        if (rests[static_cast<std::size_t>(i)]) {
+        if (rests[i]) {
           curvature.row(i).setZero();
           curvature.col(i).setZero();
           curvature(i, i) = 1;
@@ -161,8 +159,7 @@ class Climb {
       shorter = largest_log_scale_step / std::abs(move[1]);
     move *= shorter;
     for (int i = 0; i < 4; ++i)
-      if (!rests[static_cast<std::size_t>(i)])
-        move[i] = std::clamp(at[i] + move[i], lower_[i], upper_[i]) - at[i];
+      if (!rests[i]) move[i] = std::clamp(at[i] + move[i], lower_[i], upper_[i]) - at[i];
     return move;
   }
 

@@ -51,7 +51,7 @@ std::vector<Theta> starts(const Search& search, const ProfileCoordinate& coordin
   std::array<std::vector<double>, 4> axes = {search.places, search.log_scales, search.lapses, search.guesses};
   const bool holds_place = coordinate.index == 0;
   if (holds_place) axes[1] = log_scales_at(search, coordinate.level, x);
-  axes[static_cast<std::size_t>(coordinate.index)] = {x};
+  axes[coordinate.index] = {x};
   std::vector<Maximum> found;
   for (double s : axes[1])
     for (double m : axes[0]) {
@@ -109,7 +109,7 @@ double overdispersion_allowance(const FitProblem& problem, double eta) {
 
 Maximum climb_held(const Search& search, const ProfileCoordinate& coordinate, double x, const Maximum& warm) {
   Held held{.fixed = {}, .level = coordinate.level};
-  held.fixed[static_cast<std::size_t>(coordinate.index)] = true;
+  held.fixed[coordinate.index] = true;
   Theta start = warm.theta;
   start[coordinate.index] = x;
   Maximum found = maximise(search.problem, held, start, warm.eta);

@@ -52,7 +52,7 @@ PeoplePlace place_at(const PeopleProblem& people, const PeopleTheta& theta) {
   for (int i = 0; i < 6; ++i) {
     const bool equal = people.each.front().equal_rates && i == people_parameter::guess;
     const double low = people.lower[i], high = people.upper[i], slope = place.gradient[i];
-    place.rests[static_cast<std::size_t>(i)] =
+    place.rests[i] =
         equal || high <= low || (theta[i] <= low && slope <= 0) || (theta[i] >= high && slope >= 0);
   }
   return place;
@@ -61,7 +61,7 @@ PeoplePlace place_at(const PeopleProblem& people, const PeopleTheta& theta) {
 /// `matrix` with the rows and columns of what rests those of the identity.
 PeopleMatrix without_rest(PeopleMatrix matrix, const std::array<bool, 6>& rests) {
   for (int i = 0; i < 6; ++i) {
-    if (!rests[static_cast<std::size_t>(i)]) continue;
+    if (!rests[i]) continue;
     matrix.row(i).setZero();
     matrix.col(i).setZero();
     matrix(i, i) = 1;
@@ -71,7 +71,7 @@ PeopleMatrix without_rest(PeopleMatrix matrix, const std::array<bool, 6>& rests)
 
 PeopleTheta without_rest(PeopleTheta vector, const std::array<bool, 6>& rests) {
   for (int i = 0; i < 6; ++i)
-    if (rests[static_cast<std::size_t>(i)]) vector[i] = 0;
+    if (rests[i]) vector[i] = 0;
   return vector;
 }
 

@@ -58,10 +58,10 @@ Run checked_run(const tinygltf::Model& model, int view_index, std::size_t offset
   };
   if (view_index < 0 || static_cast<std::size_t>(view_index) >= model.bufferViews.size())
     throw bad("a buffer view that exists", std::to_string(view_index));
-  const tinygltf::BufferView& view = model.bufferViews[static_cast<std::size_t>(view_index)];
+  const tinygltf::BufferView& view = model.bufferViews[view_index];
   if (view.buffer < 0 || static_cast<std::size_t>(view.buffer) >= model.buffers.size())
     throw bad("a buffer that exists", std::to_string(view.buffer));
-  const std::vector<unsigned char>& bytes = model.buffers[static_cast<std::size_t>(view.buffer)].data;
+  const std::vector<unsigned char>& bytes = model.buffers[view.buffer].data;
   const std::size_t stride = stride_or_zero != 0 ? stride_or_zero : element_bytes;
   const bool view_inside =
       view.byteLength <= bytes.size() && view.byteOffset <= bytes.size() - view.byteLength;
@@ -84,7 +84,7 @@ std::vector<double> GltfReader::components(int index, int wanted_components, con
   if (index < 0 || static_cast<std::size_t>(index) >= model_.accessors.size())
     throw input_error(
         {.file = file_, .field = field, .wanted = "an accessor that exists", .found = std::to_string(index)});
-  const tinygltf::Accessor& accessor = model_.accessors[static_cast<std::size_t>(index)];
+  const tinygltf::Accessor& accessor = model_.accessors[index];
   const int component_bytes =
       tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor.componentType));
   const int component_count = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type));
@@ -104,8 +104,7 @@ std::vector<double> GltfReader::components(int index, int wanted_components, con
     const std::size_t element_bytes = static_cast<std::size_t>(component_bytes * component_count);
     const bool view_exists =
         accessor.bufferView >= 0 && static_cast<std::size_t>(accessor.bufferView) < model_.bufferViews.size();
-    const std::size_t stride =
-        view_exists ? model_.bufferViews[static_cast<std::size_t>(accessor.bufferView)].byteStride : 0;
+    const std::size_t stride = view_exists ? model_.bufferViews[accessor.bufferView].byteStride : 0;
     const Run run = checked_run(model_, accessor.bufferView, accessor.byteOffset, stride, element_bytes,
                                 accessor.count, accessor.componentType, where);
     values.resize(accessor.count * static_cast<std::size_t>(component_count), 0.0);
@@ -122,7 +121,7 @@ std::vector<double> GltfReader::components(int index, int wanted_components, con
 
 void GltfReader::overwrite_sparse(int index, int component_count, std::vector<double>& values,
                                   const std::string& field) const {
-  const tinygltf::Accessor& accessor = model_.accessors[static_cast<std::size_t>(index)];
+  const tinygltf::Accessor& accessor = model_.accessors[index];
   const Complaint where{.file = file_, .field = field + " (sparse)"};
   const int index_type = accessor.sparse.indices.componentType;
   const int index_bytes = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(index_type));
@@ -160,7 +159,7 @@ void GltfReader::overwrite_sparse(int index, int component_count, std::vector<do
 
 std::int64_t GltfReader::count(int index) const {
   if (index < 0 || static_cast<std::size_t>(index) >= model_.accessors.size()) return 0;
-  const std::size_t count = model_.accessors[static_cast<std::size_t>(index)].count;
+  const std::size_t count = model_.accessors[index].count;
   return std::in_range<std::int64_t>(count) ? static_cast<std::int64_t>(count)
                                             : std::numeric_limits<std::int64_t>::max();
 }
@@ -212,8 +211,7 @@ std::vector<Eigen::Vector4d> GltfReader::quadruples(int index, const std::string
 
 std::vector<Eigen::Array4f> GltfReader::colours(int index, const std::string& field) const {
   const bool exists = index >= 0 && static_cast<std::size_t>(index) < model_.accessors.size();
-  const bool has_alpha =
-      !exists || model_.accessors[static_cast<std::size_t>(index)].type != TINYGLTF_TYPE_VEC3;
+  const bool has_alpha = !exists || model_.accessors[index].type != TINYGLTF_TYPE_VEC3;
   std::vector<Eigen::Array4f> out;
   if (has_alpha) {
     for (const Eigen::Vector4d& colour : finite_vectors<Eigen::Vector4d>(index, field))
@@ -223,7 +221,7 @@ std::vector<Eigen::Array4f> GltfReader::colours(int index, const std::string& fi
       out.emplace_back(colour.homogeneous().cast<float>().array());
   }
   // Some writers forget to say that their bytes are shares.
-  const tinygltf::Accessor& accessor = model_.accessors[static_cast<std::size_t>(index)];
+  const tinygltf::Accessor& accessor = model_.accessors[index];
   const bool are_bytes = accessor.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE,
              are_words = accessor.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
   const float scale = accessor.normalized ? 1.0F : are_bytes ? 1.0F / 255 : are_words ? 1.0F / 65535 : 1.0F;

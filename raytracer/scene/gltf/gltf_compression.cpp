@@ -26,16 +26,14 @@ struct ByteRange {
 
 std::string_view compressed_bytes(const ByteRange& range, const GltfBuffers& buffers, const fs::path& path,
                                   const std::string& field) {
-  const bool inside =
-      range.buffer >= 0 && std::cmp_less(range.buffer, buffers.size()) && range.offset >= 0 &&
-      range.length > 0 &&
-      std::cmp_less_equal(range.length, buffers[static_cast<std::size_t>(range.buffer)].size()) &&
-      std::cmp_less_equal(range.offset, buffers[static_cast<std::size_t>(range.buffer)].size() -
-                                            static_cast<std::size_t>(range.length));
+  const bool inside = range.buffer >= 0 && std::cmp_less(range.buffer, buffers.size()) && range.offset >= 0 &&
+                      range.length > 0 && std::cmp_less_equal(range.length, buffers[range.buffer].size()) &&
+                      std::cmp_less_equal(range.offset, buffers[range.buffer].size() -
+                                                            static_cast<std::size_t>(range.length));
   if (!inside)
     throw bad_gltf(path, field, "compressed bytes inside their buffer",
                    fmt::format("{} from byte {} of buffer {}", range.length, range.offset, range.buffer));
-  const auto& bytes = buffers[static_cast<std::size_t>(range.buffer)];
+  const auto& bytes = buffers[range.buffer];
   return {reinterpret_cast<const char*>(bytes.data()) + range.offset, static_cast<std::size_t>(range.length)};
 }
 
@@ -63,7 +61,7 @@ void undo_meshopt(GltfJson& view, const std::string& field, GltfBuffers& buffers
   const GltfJson* extension = meshopt_extension(view);
   if (extension == nullptr) return;
   const std::int64_t usual = whole_number(view, "buffer", -1);
-  if (usual >= 0 && std::cmp_less(usual, buffers.size()) && !buffers[static_cast<std::size_t>(usual)].empty())
+  if (usual >= 0 && std::cmp_less(usual, buffers.size()) && !buffers[usual].empty())
     return;  // its bytes lie there uncompressed as well
   if (!has_meshopt())
     throw bad_gltf(path, "EXT_meshopt_compression",
@@ -128,7 +126,7 @@ class DracoMeshes {
     const std::int64_t index = whole_number(object, key, -1);
     const GltfJson* all = member(json_, "accessors");
     if (all == nullptr || index < 0 || std::cmp_greater_equal(index, all->size())) return nullptr;
-    return &(*all)[static_cast<std::size_t>(index)];
+    return &(*all)[index];
   }
 
   /// Whether one of its accessors has no bytes of its own.
@@ -154,7 +152,7 @@ class DracoMeshes {
     const GltfJson* views = member(json_, "bufferViews");
     if (views == nullptr || view < 0 || std::cmp_greater_equal(view, views->size()))
       throw bad_gltf(path_, field, "a buffer view that exists", std::to_string(view));
-    const GltfJson& from = (*views)[static_cast<std::size_t>(view)];
+    const GltfJson& from = (*views)[view];
     const std::string_view bytes =
         compressed_bytes({whole_number(from, "buffer", -1), whole_number(from, "byteOffset", 0),
                           whole_number(from, "byteLength", 0)},
@@ -179,7 +177,7 @@ class DracoMeshes {
                          {"componentType", attribute.component_type},
                          {"normalized", normalised},
                          {"count", count},
-                         {"type", types[static_cast<std::size_t>(attribute.components - 1)]}});
+                         {"type", types[attribute.components - 1]}});
     return accessors.size() - 1;
   }
 

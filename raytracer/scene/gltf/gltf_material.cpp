@@ -113,7 +113,7 @@ std::shared_ptr<const Material> GltfMaterials::read(int index, const std::string
                        .field = where,
                        .wanted = "a material that exists",
                        .found = std::to_string(index)});
-  const tinygltf::Material& from = model_.materials[static_cast<std::size_t>(index)];
+  const tinygltf::Material& from = model_.materials[index];
   return known_.emplace(key, read_new(from, fmt::format("materials[{}]", index), of_vertices)).first->second;
 }
 

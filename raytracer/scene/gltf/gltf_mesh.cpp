@@ -62,7 +62,7 @@ void GltfMeshes::add(const tinygltf::Node& node, const Eigen::Affine3d& world, c
                      std::vector<FileMesh>& out) {
   if (static_cast<std::size_t>(node.mesh) >= model_.meshes.size())
     throw bad(field, "a mesh that exists", std::to_string(node.mesh));
-  const tinygltf::Mesh& mesh = model_.meshes[static_cast<std::size_t>(node.mesh)];
+  const tinygltf::Mesh& mesh = model_.meshes[node.mesh];
   for (const Eigen::Affine3d& instance : pose_.instances(node, field))
     for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
       const Placed placed{node, mesh, mesh.primitives[p], world * instance,
@@ -201,7 +201,7 @@ void GltfMeshes::read_material(const Placed& placed, const VertexTransforms& tra
 
 void GltfMeshes::read_texture_coordinates(const Placed& placed, int set, FileMesh& piece) {
   const std::string name = fmt::format("TEXCOORD_{}", set);
-  std::vector<Eigen::Vector2f>& uvs = piece.uvs[static_cast<std::size_t>(set)];
+  std::vector<Eigen::Vector2f>& uvs = piece.uvs[set];
   if (!uvs.empty()) return;
   const auto attribute = placed.primitive.attributes.find(name);
   if (attribute == placed.primitive.attributes.end()) {
@@ -234,7 +234,7 @@ void GltfMeshes::read_tangents(const Placed& placed, const VertexTransforms& tra
   }
   std::vector<Eigen::Vector2f> uvs;
   uvs.reserve(piece.positions_m.size());
-  for (const Eigen::Vector2f& uv : piece.uvs[static_cast<std::size_t>(texture.uv_set)])
+  for (const Eigen::Vector2f& uv : piece.uvs[texture.uv_set])
     uvs.emplace_back(texture.transform * Eigen::Vector3f(uv.x(), uv.y(), 1.0F));
   piece.tangents = make_tangents(piece.positions_m, piece.normals, piece.triangles, uvs);
 }

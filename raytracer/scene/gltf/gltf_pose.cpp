@@ -42,7 +42,7 @@ GltfPose::GltfPose(const tinygltf::Model& model, const GltfReader& reader, std::
   for (std::size_t node = 0; node < model.nodes.size(); ++node)
     for (const int child : model.nodes[node].children)
       if (child >= 0 && static_cast<std::size_t>(child) < parents_.size())
-        parents_[static_cast<std::size_t>(child)] = static_cast<int>(node);
+        parents_[child] = static_cast<int>(node);
 }
 
 Eigen::Affine3d GltfPose::local(const tinygltf::Node& node) {
@@ -63,8 +63,8 @@ Eigen::Affine3d GltfPose::local(const tinygltf::Node& node) {
 Eigen::Affine3d GltfPose::world(int node) const {
   Eigen::Affine3d transform = Eigen::Affine3d::Identity();
   for (int depth = 0; node >= 0 && depth <= limits::deepest_node_tree; ++depth) {
-    transform = local(model_.nodes[static_cast<std::size_t>(node)]) * transform;
-    node = parents_[static_cast<std::size_t>(node)];
+    transform = local(model_.nodes[node]) * transform;
+    node = parents_[node];
   }
   return transform;
 }
@@ -119,7 +119,7 @@ std::vector<Eigen::Affine3d> GltfPose::joints_of(int skin, const std::string& wh
   };
   if (static_cast<std::size_t>(skin) >= model_.skins.size())
     throw bad("a skin that exists", std::to_string(skin));
-  const tinygltf::Skin& from = model_.skins[static_cast<std::size_t>(skin)];
+  const tinygltf::Skin& from = model_.skins[skin];
   std::vector<Eigen::Affine3d> from_mesh;
   if (from.inverseBindMatrices >= 0)
     from_mesh =

@@ -67,9 +67,9 @@ std::string_view GltfTextures::bytes_in_view(int view, const std::string& field)
     return input_error({.file = file_.string(), .field = field, .wanted = wanted, .found = "none"});
   };
   if (!exists(view, model_.bufferViews)) throw bad("a buffer view that exists");
-  const tinygltf::BufferView& range = model_.bufferViews[static_cast<std::size_t>(view)];
+  const tinygltf::BufferView& range = model_.bufferViews[view];
   if (!exists(range.buffer, model_.buffers)) throw bad("a buffer that exists");
-  const std::vector<unsigned char>& bytes = model_.buffers[static_cast<std::size_t>(range.buffer)].data;
+  const std::vector<unsigned char>& bytes = model_.buffers[range.buffer].data;
   if (range.byteLength > bytes.size() || range.byteOffset > bytes.size() - range.byteLength)
     throw bad("a picture inside its buffer");
   return {reinterpret_cast<const char*>(bytes.data()) + range.byteOffset, range.byteLength};
@@ -82,7 +82,7 @@ std::shared_ptr<const ByteImage> GltfTextures::picture(int index, const std::str
                        .field = field,
                        .wanted = "a PNG or JPEG picture",
                        .found = index < 0 ? "a texture without one" : "one that does not exist"});
-  const tinygltf::Image& image = model_.images[static_cast<std::size_t>(index)];
+  const tinygltf::Image& image = model_.images[index];
   const std::string where = fmt::format("images[{}]", index);
   const std::string name = fmt::format("{}: {}", file_.string(), where);
   ByteImage decoded;
@@ -121,12 +121,12 @@ Texture GltfTextures::read(const tinygltf::TextureInfo& info, Encoding encoding,
                        .field = field,
                        .wanted = "a texture that exists",
                        .found = std::to_string(info.index)});
-  const tinygltf::Texture& from = model_.textures[static_cast<std::size_t>(info.index)];
+  const tinygltf::Texture& from = model_.textures[info.index];
   Texture texture{.picture = picture(from.source, fmt::format("textures[{}]", info.index)),
                   .encoding = encoding,
                   .uv_set = info.texCoord};
   if (exists(from.sampler, model_.samplers)) {
-    const tinygltf::Sampler& sampler = model_.samplers[static_cast<std::size_t>(from.sampler)];
+    const tinygltf::Sampler& sampler = model_.samplers[from.sampler];
     texture.wrap_u = wrap_of(sampler.wrapS);
     texture.wrap_v = wrap_of(sampler.wrapT);
     texture.nearest = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;

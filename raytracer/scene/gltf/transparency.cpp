@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "support/arithmetic/grid_index.h"
+
 namespace seamline::renderer {
 namespace {
 
@@ -17,8 +19,7 @@ class AlphaPicture {
 
   [[nodiscard]] float at(int x, int y) const {
     const auto channels = static_cast<std::size_t>(picture_.channels);
-    const std::size_t texel = static_cast<std::size_t>(y) * static_cast<std::size_t>(picture_.width_px) +
-                              static_cast<std::size_t>(x);
+    const std::size_t texel = grid_index(y, x, picture_.width_px);
     return factor_ * static_cast<float>(picture_.values[texel * channels + channels - 1]) / 255.0F;
   }
 

@@ -10,6 +10,7 @@
 #include "renderer/depth/adaptive_mesh.h"
 #include "renderer/depth/lattice/grid_triangle_cells.h"
 #include "renderer/depth/lattice/refinement.h"
+#include "support/arithmetic/grid_index.h"
 #include "support/running/parallel.h"
 
 namespace seamline::renderer {
@@ -98,13 +99,10 @@ class Wrongness {
         wrong = e * e / (e * e + squared_half_);
       }
     }
-    wrong *= sphere_.cos_elevation[static_cast<std::size_t>(row)];
+    wrong *= sphere_.cos_elevation[row];
     sums[everywhere] += wrong;
     if (weights_ == nullptr) return;
-    const auto& weight =
-        weights_->texels[static_cast<std::size_t>(row_[static_cast<std::size_t>(row)]) *
-                             static_cast<std::size_t>(weights_->width_px) +
-                         static_cast<std::size_t>(column_[static_cast<std::size_t>(column)])];
+    const auto& weight = weights_->texels[grid_index(row_[row], column_[column], weights_->width_px)];
     for (std::size_t role = 0; role < depth_roles; ++role)
       sums[role] += wrong * static_cast<double>(weight[role]);
   }
@@ -167,8 +165,7 @@ class Spending {
     std::vector<std::vector<Candidate>> of_root(static_cast<std::size_t>(lattice_.root_count()));
     run_parallel(lattice_.root_count(), threads, [&](int root) {
       lattice_.for_each_leaf(lattice_.root(root), [&](const LatticeTriangle& t) {
-        if (!t.is_unit())
-          of_root[static_cast<std::size_t>(root)].push_back({wrongness.of(grid_triangle(lattice_, t)), t});
+        if (!t.is_unit()) of_root[root].push_back({wrongness.of(grid_triangle(lattice_, t)), t});
       });
     });
     std::priority_queue<Candidate> queue;
@@ -221,8 +218,7 @@ class Spending {
   };
 
   [[nodiscard]] std::size_t index(const GridVertex& v) const {
-    return static_cast<std::size_t>(v.row) * static_cast<std::size_t>(sphere_.width) +
-           static_cast<std::size_t>(v.column == sphere_.width ? 0 : v.column);
+    return grid_index(v.row, v.column == sphere_.width ? 0 : v.column, sphere_.width);
   }
   void use(const LatticePoint& p) {
     std::uint8_t& used = used_[index(lattice_.grid_vertex(p))];

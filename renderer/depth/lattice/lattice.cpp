@@ -11,8 +11,7 @@ namespace {
 std::vector<int> spread(int count, int last) {
   std::vector<int> line(static_cast<std::size_t>(count) + 1);
   for (int i = 0; i <= count; ++i)
-    line[static_cast<std::size_t>(i)] =
-        static_cast<int>((std::int64_t{2} * i * last + count) / (std::int64_t{2} * count));
+    line[i] = static_cast<int>((std::int64_t{2} * i * last + count) / (std::int64_t{2} * count));
   return line;
 }
 

@@ -42,9 +42,8 @@ void refine_all(Lattice& lattice, const Bound& bound, int threads) {
     return changed;
   };
   for (std::vector<int> blocks = changed_blocks(); !blocks.empty(); blocks = changed_blocks())
-    run_parallel(2 * static_cast<int>(blocks.size()), threads, [&](int i) {
-      refine(lattice, bound, lattice.root(2 * blocks[static_cast<std::size_t>(i / 2)] + i % 2));
-    });
+    run_parallel(2 * static_cast<int>(blocks.size()), threads,
+                 [&](int i) { refine(lattice, bound, lattice.root(2 * blocks[i / 2] + i % 2)); });
 }
 
 /// The largest error under any triangle that was not split; those of one cell have none.
@@ -54,7 +53,7 @@ double largest_error(const Lattice& lattice, const Bound& bound, int threads) {
   run_parallel(lattice.root_count(), threads, [&](int root) {
     lattice.for_each_leaf(lattice.root(root), [&](const LatticeTriangle& t) {
       if (t.is_unit()) return;
-      double& error = errors[static_cast<std::size_t>(root)];
+      double& error = errors[root];
       error = std::max(error, bound.largest_error(grid_triangle(lattice, t)));
     });
   });

@@ -203,7 +203,7 @@ void order_of_tile(const TruthScene& scene, const SceneSums& sums, const ObjectT
 
 ObjectOrder ask_order(const TruthScene& scene, const SceneSums& sums, int object_index,
                       const Geometry& object, const DepthWorld& depth, std::uint64_t seed, int threads) {
-  const auto& tiles = sums.objects[static_cast<std::size_t>(object_index - 1)];
+  const auto& tiles = sums.objects[object_index - 1];
   ObjectOrder order(tiles.size());
   parallel_for(static_cast<int>(tiles.size()), threads, [&](int tile) {
     const auto t = static_cast<std::size_t>(tile);

@@ -21,10 +21,8 @@ struct PhotographJudgement {
   std::size_t strength = 0;                ///< with the least estimated error, in the choices' filters
   int not_good_enough = 0;                 ///< an object; 0: none, or there is no target
 
-  [[nodiscard]] ErrorEstimate& error(int object) { return errors[static_cast<std::size_t>(object - 1)]; }
-  [[nodiscard]] const ErrorEstimate& error(int object) const {
-    return errors[static_cast<std::size_t>(object - 1)];
-  }
+  [[nodiscard]] ErrorEstimate& error(int object) { return errors[object - 1]; }
+  [[nodiscard]] const ErrorEstimate& error(int object) const { return errors[object - 1]; }
 };
 
 FirstSky first_sky(const EstimatorChoices& choices) {
@@ -152,8 +150,7 @@ class FastEstimator : public SceneEstimator {
       for (std::size_t t = 0; t < object.size(); ++t)
         if (object[t])  // a byte a sample
           for (const int block : blocks_of(sums_.grid, static_cast<int>(t)))
-            all.order_bytes +=
-                std::int64_t{sums_.blocks().pixels(block)} * sums_.spp[static_cast<std::size_t>(block)];
+            all.order_bytes += std::int64_t{sums_.blocks().pixels(block)} * sums_.spp[block];
     return all;
   }
 
@@ -262,7 +259,7 @@ class FastEstimator : public SceneEstimator {
   /// As large as an estimate.
   [[nodiscard]] ErrorEstimate unknown_error() const {
     ErrorEstimate error;
-    error.tiles.resize(static_cast<std::size_t>(sums_.grid.count()));
+    error.tiles.resize(sums_.grid.count());
     error.blocks.resize(static_cast<std::size_t>(sums_.blocks().count()));
     return error;
   }

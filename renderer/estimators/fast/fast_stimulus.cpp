@@ -118,7 +118,7 @@ class StimulusRounds {
   [[nodiscard]] std::vector<char> pixels_with_object() const {
     const TruthSums& sums = truth_.truth_sums;
     const bool also_hidden = recipe_.answers.occlusion == Who::depth;
-    const auto& tiles = truth_.scene_sums.objects[static_cast<std::size_t>(truth_.object_index - 1)];
+    const auto& tiles = truth_.scene_sums.objects[truth_.object_index - 1];
     std::vector<char> flags(sums.guides.size(), 0);
     for (int y = 0; y < sums.height_px; ++y)
       for (int x = 0; x < sums.width_px; ++x) {
@@ -268,7 +268,7 @@ class StimulusRounds {
     const BlockGrid blocks = depth_.blocks();
     for (int block = 0; block < blocks.count(); ++block) {
       if (!mirrors(blocks.rectangle(block))) continue;
-      int& spp = object_spp[static_cast<std::size_t>(block)];
+      int& spp = object_spp[block];
       each_neighbour(blocks, block,
                      [&](std::size_t neighbour) { spp = std::max(spp, planned[neighbour] / 8 * 2); });
     }

@@ -100,7 +100,7 @@ class TileSampler {
     const SurfacePoint* room = room_[i] ? &*room_[i] : nullptr;
     const SurfacePoint* object = nullptr;
     for (int k = 1; k <= geometry_.worlds.object_count; ++k) {
-      const auto& hit = objects_[static_cast<std::size_t>(k - 1)][i];
+      const auto& hit = objects_[k - 1][i];
       if (k != left_out && hit && (object == nullptr || hit->distance_m < object->distance_m)) object = &*hit;
     }
     if (object == nullptr || room == nullptr) return object != nullptr ? object : room;
@@ -142,7 +142,7 @@ class TileSampler {
   void add_order(const Followed& seen, const SampleId& id, std::size_t i, const Sampler& sampler,
                  const PathRules& rules) {
     for (int k = 1; k <= geometry_.worlds.object_count; ++k) {
-      const auto& hit = objects_[static_cast<std::size_t>(k - 1)][i];
+      const auto& hit = objects_[k - 1][i];
       if (!hit) continue;
       ObjectTile& there = object_tile(k);
       const SurfacePoint* real = seen_without(i, k);
@@ -194,15 +194,15 @@ class TileSampler {
         return;
       case LightOf::behind:
         see(followed, object, point, found);
-        own->behind += found.light[static_cast<std::size_t>(object)];
+        own->behind += found.light[object];
         own->behind_with += found.light[0];
         if (!found.sky.empty()) {
           ObjectPart& sky = object_tile(object).sky[followed.half][followed.place];
-          sky.behind += found.sky[static_cast<std::size_t>(object)];
+          sky.behind += found.sky[object];
           sky.behind_with += found.sky[0];
         }
         if (!mirrors()) return;
-        own_mirrored(followed).behind += found.light[static_cast<std::size_t>(object)].mirrored;
+        own_mirrored(followed).behind += found.light[object].mirrored;
         own_mirrored(followed).behind_with += found.light[0].mirrored;
         return;
       case LightOf::hidden:
@@ -229,7 +229,7 @@ class TileSampler {
   }
 
   ObjectTile& object_tile(int object) {
-    auto& there = sums_.objects[static_cast<std::size_t>(object - 1)][static_cast<std::size_t>(tile_)];
+    auto& there = sums_.objects[object - 1][tile_];
     if (!there) {
       there = std::make_unique<ObjectTile>();
       for (auto& half : there->halves) half.resize(tile_pixels);
@@ -267,7 +267,7 @@ SceneSums empty_sums(const Camera& camera, std::size_t objects) {
       static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px);
   for (auto& half : sums.halves) half.resize(pixels * sums.groups);
   for (auto& guides : sums.guides) guides.resize(pixels);
-  for (auto& object : sums.objects) object.resize(static_cast<std::size_t>(sums.grid.count()));
+  for (auto& object : sums.objects) object.resize(sums.grid.count());
   sums.spp.resize(static_cast<std::size_t>(sums.blocks().count()));
   return sums;
 }
@@ -283,8 +283,8 @@ void add_samples(const TruthScene& scene, const SceneGeometry& geometry, const s
   const auto work = [&](int tile) {
     TileSampler sampler(scene, geometry, options, sums, tile);
     for (const int block : blocks_of(sums.grid, tile)) {
-      int& spp = sums.spp[static_cast<std::size_t>(block)];
-      const int wanted = wanted_spp[static_cast<std::size_t>(block)];
+      int& spp = sums.spp[block];
+      const int wanted = wanted_spp[block];
       if (wanted <= spp) continue;
       sampler.add(block, spp, wanted);
       spp = wanted;

@@ -78,7 +78,7 @@ FilteredBounce filtered_uncovered(const ObjectTruth& truth, const DepthAnswers& 
   parallel_for(grid.count(), threads, [&](int tile) {
     const TileGrid::Rectangle r = grid.rectangle(tile);
     for (int y = r.top; y < r.bottom; ++y)
-      for (int x = r.left; x < r.right; ++x) take_pixel(x, y, changed[static_cast<std::size_t>(tile)]);
+      for (int x = r.left; x < r.right; ++x) take_pixel(x, y, changed[tile]);
   });
   // Where nothing changes the ratio is 1 whatever is filtered. A change reaches as far as the filter does,
   // and what it is divided by as far again: both together stay within a tile.
@@ -93,7 +93,7 @@ FilteredBounce filtered_object(const ObjectTruth& truth, const DepthAnswers& dep
   FilteredBounce object;
   object.surfaces.resize(truth.truth_sums.guides.size());
   object.texels.resize(truth.truth_sums.guides.size());
-  const auto& tiles = truth.scene_sums.objects[static_cast<std::size_t>(truth.object_index - 1)];
+  const auto& tiles = truth.scene_sums.objects[truth.object_index - 1];
   each_pixel(truth.truth_sums, threads, [&](int x, int y, std::size_t i) {
     const ObjectTile* tile = tiles[static_cast<std::size_t>(truth.scene_sums.grid.square_of(x, y))].get();
     if (tile == nullptr) return;

@@ -89,7 +89,7 @@ SceneSums copy_of(const SceneSums& sums, bool with_guides) {
 class Comparison {
  public:
   Comparison(const FrameBase& base, int step, const std::vector<bool>& moved, const SceneSums& sums)
-      : base_(base), few_(base.steps[static_cast<std::size_t>(step)]), moved_(moved), sums_(sums) {}
+      : base_(base), few_(base.steps[step]), moved_(moved), sums_(sums) {}
 
   /// Blocks where an object that moved is or was seen.
   [[nodiscard]] std::vector<char> with_what_moved() const {
@@ -98,7 +98,7 @@ class Comparison {
       if (moved_[k])
         for (int tile = 0; tile < sums_.grid.count(); ++tile)
           for (const SceneSums* from : {&sums_, &base_.whole})
-            mark_seen(from->objects[k][static_cast<std::size_t>(tile)].get(), tile, out);
+            mark_seen(from->objects[k][tile].get(), tile, out);
     return out;
   }
 
@@ -263,7 +263,7 @@ void put_beside(const SceneSums& few, const SceneSums& whole, int block, float s
         }
       }
     }
-  sums.spp[static_cast<std::size_t>(block)] = whole.spp[static_cast<std::size_t>(block)];
+  sums.spp[block] = whole.spp[block];
 }
 
 /// Which objects stand elsewhere, or look otherwise.
@@ -283,7 +283,7 @@ std::vector<bool> moved_objects(const SceneDefinition& base, const SceneDefiniti
 int samples_of_step(int step, int spp) {
   constexpr std::array<int, frame_steps> share = {12, 4};
   constexpr int turn = 8;  // a tail in every half
-  const int few = turn * std::max(1, (spp / share[static_cast<std::size_t>(step)] + turn / 2) / turn);
+  const int few = turn * std::max(1, (spp / share[step] + turn / 2) / turn);
   return few <= spp / 2 ? few : spp;
 }
 

@@ -85,7 +85,7 @@ class RoundChooser {
     }
     for (std::size_t b = 0; b < error_.blocks.size(); ++b) {
       const int tile = tile_of_block(state_.grid, static_cast<int>(b));
-      const bool is_without = without[static_cast<std::size_t>(tile)] != 0;
+      const bool is_without = without[tile] != 0;
       const double noise = (is_without ? unfiltered() : error_).blocks[b].noise;
       const double of_photograph =
           std::min(photograph_.blocks[b].noise + (state_.stays != nullptr ? (*state_.stays)[b] : 0), noise);
@@ -95,7 +95,7 @@ class RoundChooser {
            .spp = spp,
            .least_spp = is_without && spp > 0 ? photograph_spp : 0,
            .most_spp = spp > 0 ? state_.choices.most_times_photograph_spp * photograph_spp : 0});
-      out.tile_residual[static_cast<std::size_t>(tile)] +=
+      out.tile_residual[tile] +=
           of_photograph * blocks_.weight(static_cast<int>(b)) / state_.grid.weight(tile);
     }
     return out;

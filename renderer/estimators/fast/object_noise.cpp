@@ -9,8 +9,8 @@ std::vector<int> samples_on_object(const ObjectTruth& truth, const StimulusSums&
   std::vector<int> wanted = asked_spp;
   const BlockGrid blocks = truth.scene_sums.blocks();
   parallel_for(blocks.count(), threads, [&](int block) {
-    int& spp = wanted[static_cast<std::size_t>(block)];
-    const int all = truth.scene_sums.spp[static_cast<std::size_t>(block)];
+    int& spp = wanted[block];
+    const int all = truth.scene_sums.spp[block];
     if (spp == 0 || spp >= all) return;
     double in_photograph = 0, in_stimulus = 0;
     const BlockGrid::Rectangle r = blocks.rectangle(block);

@@ -31,7 +31,7 @@ void raise_noise(const std::vector<SquaredError>& least, double share, const Til
     error.blocks[b].noise += more;
     error.image.noise += blocks.share(block) * more;
     const int tile = tile_of_block(grid, block);
-    error.tiles[static_cast<std::size_t>(tile)].noise += blocks.weight(block) / grid.weight(tile) * more;
+    error.tiles[tile].noise += blocks.weight(block) / grid.weight(tile) * more;
   }
 }
 

@@ -22,7 +22,7 @@ class Assembly {
   /// Whether a tile has anything for `add_object`: elsewhere all of it is 0, and most of a picture is not
   /// read.
   [[nodiscard]] bool has_object(std::size_t tile) const {
-    const auto& tiles = truth_.scene_sums.objects[static_cast<std::size_t>(truth_.object_index - 1)];
+    const auto& tiles = truth_.scene_sums.objects[truth_.object_index - 1];
     return recipe_.keep == Keep::object_only || tiles[tile] != nullptr;
   }
 
@@ -78,7 +78,7 @@ class Assembly {
     const std::size_t i = sums.index(x, y);
     const auto tile = static_cast<std::size_t>(truth_.scene_sums.grid.square_of(x, y));
     const auto place = static_cast<std::size_t>(TileGrid::place(x, y));
-    const auto& object = truth_.scene_sums.objects[static_cast<std::size_t>(truth_.object_index - 1)][tile];
+    const auto& object = truth_.scene_sums.objects[truth_.object_index - 1][tile];
     Pixel in{.truth = sums.halves[half][i],
              .own = object ? object->halves[half][place] : nothing,
              .depth = depth_.halves[half][i],

@@ -77,7 +77,7 @@ TruthSums render_truth(const TruthScene& scene, const ObjectGeometry& geometry, 
       for (int sample = 0; sample < options.spp; ++sample) {
         const Sampler sampler(options.seed, x, y, sample);
         add_sample(scene, geometry, camera_ray(camera, x, y, sampler), sampler, even_out,
-                   sums.halves[static_cast<std::size_t>(sample % 2)][pixel], counts);
+                   sums.halves[sample % 2][pixel], counts);
       }
     }
     rays += counts.traced;

@@ -9,6 +9,7 @@
 
 #include "raytracer/common/parallel.h"
 #include "renderer/realtime/harmonics/spherical_harmonics.h"
+#include "support/arithmetic/grid_index.h"
 
 namespace seamline::renderer {
 namespace {
@@ -41,8 +42,7 @@ struct Crossings {
   void each(const Add& add) const {
     for (const int r : {0, 1})
       for (const int c : {0, 1})
-        add(rows[static_cast<std::size_t>(r)], columns[static_cast<std::size_t>(c)],
-            (r == 1 ? down : 1 - down) * (c == 1 ? across : 1 - across));
+        add(rows[r], columns[c], (r == 1 ? down : 1 - down) * (c == 1 ? across : 1 - across));
   }
 };
 
@@ -124,9 +124,7 @@ OcclusionField sample_field(const FieldShape& shape, const AreBlocked& blocked, 
     for (int column = 0; column < shape.longitudes; ++column) {
       const Eigen::Vector3f direction =
           direction_at(row, column, shape.latitudes, shape.longitudes).cast<float>();
-      const std::size_t place = shell * in_shell +
-                                static_cast<std::size_t>(row) * static_cast<std::size_t>(shape.longitudes) +
-                                static_cast<std::size_t>(column);
+      const std::size_t place = shell * in_shell + grid_index(row, column, shape.longitudes);
       sampler.sample(shape.centre_m + shape.radii_m[shell] * direction,
                      std::span(field.visibility).subspan(place * count, count));
     }
@@ -187,9 +185,7 @@ TransferCache::TransferCache(int bands, int latitudes)
     for (int column = 0; column < longitudes_; ++column) {
       evaluate_harmonics(bands, direction_at(row, column, latitudes_, longitudes_), values);
       for (int l = 0, k = 0; l < bands; ++l)
-        for (int m = -l; m <= l; ++m, ++k)
-          transfers_[place++] =
-              static_cast<float>(of_bands[static_cast<std::size_t>(l)] * values[static_cast<std::size_t>(k)]);
+        for (int m = -l; m <= l; ++m, ++k) transfers_[place++] = static_cast<float>(of_bands[l] * values[k]);
     }
 }
 
@@ -198,9 +194,7 @@ void TransferCache::look_up(const Eigen::Vector3f& normal, std::span<float> out)
   const auto count = static_cast<std::size_t>(coefficient_count(bands_));
   std::fill(out.begin(), out.end(), 0.0F);
   crossings.each([&](int row, int column, float weight) {
-    const float* from = &transfers_[(static_cast<std::size_t>(row) * static_cast<std::size_t>(longitudes_) +
-                                     static_cast<std::size_t>(column)) *
-                                    count];
+    const float* from = &transfers_[grid_index(row, column, longitudes_) * count];
     for (std::size_t k = 0; k < count; ++k) out[k] += weight * from[k];
   });
 }
