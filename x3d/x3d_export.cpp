@@ -139,6 +139,7 @@ X3dSummary export_x3d(const X3dRequest& request) {
   const fs::path folder = work / "x3d";
   fs::create_directory(folder);
   for (const char* name : carried) write_file_atomically(folder / name, read_file(carried_from / name));
+  if (subject.figure) write_file_atomically(folder / "humanoid.js", read_file(carried_from / "humanoid.js"));
   write_file_atomically(folder / "index.html", x3d_page_text({.subject = subject,
                                                               .frame = frame,
                                                               .photograph = photograph,

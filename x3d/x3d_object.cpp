@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "x3d/x3d_background.h"
+#include "x3d/x3d_humanoid.h"
 #include "x3d/x3d_text.h"
 
 namespace seamline::renderer {
@@ -65,6 +66,14 @@ std::string object_shader(const X3dPage& page, const SurfaceMesh& mesh, const st
   return text + shader_parts(folder, "object", other_lights(page)) + "</composedShader>";
 }
 
+std::string object_appearance(const X3dPage& page, std::size_t number, const std::filesystem::path& folder) {
+  const SurfaceMesh& mesh = *page.subject.objects[number];
+  return fmt::format(
+      "<appearance><material class=\"object\" diffuseColor=\"{0}\" emissiveColor=\"0 0 0\" "
+      "specularColor=\"0 0 0\" shininess=\"0\" ambientIntensity=\"1\"></material>{1}</appearance>",
+      field_text(colour_of(mesh.albedo)), object_shader(page, mesh, folder));
+}
+
 std::string object_shape(const X3dPage& page, std::size_t number, const std::filesystem::path& folder) {
   const SurfaceMesh& mesh = *page.subject.objects[number];
   const Eigen::Matrix3f x3d_from_world = page.subject.camera.axes.transpose();
@@ -72,12 +81,8 @@ std::string object_shape(const X3dPage& page, std::size_t number, const std::fil
   for (const Eigen::Vector3f& place_m : mesh.positions_m) positions_m.push_back(x3d_from_world * place_m);
   for (const Eigen::Vector3f& normal : mesh.normals) normals.push_back(x3d_from_world * normal);
   for (const float open : page.openness[number]) colours.emplace_back(open * mesh.albedo.matrix());
-  return fmt::format(
-      "<shape><appearance><material class=\"object\" diffuseColor=\"{0}\" emissiveColor=\"0 0 0\" "
-      "specularColor=\"0 0 0\" shininess=\"0\" ambientIntensity=\"1\"></material>{1}</appearance>{2}"
-      "</shape>\n",
-      field_text(colour_of(mesh.albedo)), object_shader(page, mesh, folder),
-      triangle_set(positions_m, {.normals = normals, .colours = colours}, mesh.triangles));
+  return "<shape>" + object_appearance(page, number, folder) +
+         triangle_set(positions_m, {.normals = normals, .colours = colours}, mesh.triangles) + "</shape>\n";
 }
 
 }  // namespace
@@ -105,7 +110,10 @@ std::string x3d_lights(const X3dPage& page) {
 
 std::string x3d_objects(const X3dPage& page, const std::filesystem::path& folder) {
   std::string text = "<transform id=\"object\" translation=\"0 0 0\">\n";
-  for (std::size_t i = 0; i < page.subject.objects.size(); ++i) text += object_shape(page, i, folder);
+  if (page.subject.figure)
+    text += x3d_humanoid(page, [&](std::size_t i) { return object_appearance(page, i, folder); });
+  else
+    for (std::size_t i = 0; i < page.subject.objects.size(); ++i) text += object_shape(page, i, folder);
   return text + "</transform>\n";
 }
 

@@ -8,6 +8,7 @@
 
 #include "support/text/html.h"
 #include "x3d/x3d_background.h"
+#include "x3d/x3d_humanoid.h"
 #include "x3d/x3d_object.h"
 #include "x3d/x3d_text.h"
 
@@ -76,6 +77,7 @@ std::string controls(const X3dPage& page) {
     text +=
         "<label class=\"needs-depth\"><input type=\"checkbox\" id=\"user_only\"> only the user, in a virtual "
         "scene</label>\n";
+  if (page.subject.figure) text += humanoid_control(page.subject);
   text +=
       "<label><input type=\"checkbox\" id=\"shown\" checked> object</label>\n<label><input type=\"checkbox\" "
       "id=\"marked\"> mark it</label>\n<span>object:";
@@ -101,12 +103,14 @@ std::string x3d_page_text(const X3dPage& page, const std::filesystem::path& fold
       "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n<title>{}</title>\n"
       "<link rel=\"icon\" href=\"data:,\"><link rel=\"stylesheet\" href=\"x3dom.css\"><link "
       "rel=\"stylesheet\" href=\"page.css\">\n<script src=\"x3dom.js\" defer></script><script "
-      "src=\"page.js\" defer></script></head>\n"
+      "src=\"page.js\" defer></script>{}</head>\n"
       "<body data-step-m=\"{:.4f}\"><main><h1>{}</h1>\n<div class=\"scene\">",
-      content_policy, title, step_m, title);
+      content_policy, title, page.subject.figure ? "<script src=\"humanoid.js\" defer></script>" : "", step_m,
+      title);
   text += scene(page, textures, folder) + "</div>\n";
   text += "<p><span id=\"status\">This page needs scripts.</span> <a id=\"other_way\" hidden></a></p>\n";
   text += controls(page) + ghost_template(page, textures, folder);
+  if (page.subject.figure) text += humanoid_words(page.subject);
   for (const std::string& note : page.subject.notes) text += "<p>" + html_escape(note) + "</p>\n";
   if (page.user != nullptr)
     text += fmt::format(

@@ -3,9 +3,11 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "raytracer/common/parallel.h"
+#include "raytracer/scene/scene_moment.h"
 #include "raytracer/scene/truth_scene.h"
 #include "renderer/depth/local_scene.h"
 #include "renderer/depth/sensor/sensor_pose.h"
@@ -17,6 +19,8 @@
 #include "support/running/progress.h"
 #include "support/text/error.h"
 #include "support/text/request_name.h"
+#include "x3d/hanim_names.h"
+#include "x3d/x3d_figure.h"
 
 namespace seamline::renderer {
 namespace fs = std::filesystem;
@@ -78,6 +82,33 @@ void require_light(const Light& light, const std::string& source) {
                        .found = "none"});
 }
 
+/// The figure of the object's file, where it is one. `placement`: from the file to the scene's world.
+void take_figure(const FigureRequest& request, const std::function<Eigen::Affine3d()>& placement,
+                 X3dSubject& subject) {
+  FigureRead read = read_figure(request);
+  if (!read.figure && read.why_not.empty()) return;
+  if (read.figure) {
+    Eigen::Affine3d x3d_from_world = Eigen::Affine3d::Identity();
+    x3d_from_world.linear() = subject.camera.axes.transpose().cast<double>();
+    x3d_from_world.translate(-subject.camera_position_m);
+    subject.x3d_from_figure = x3d_from_world * placement();
+    read.why_not = why_no_x3d_figure(*read.figure, subject.x3d_from_figure);
+  }
+  if (!read.why_not.empty()) {
+    subject.notes.push_back("the figure stands still: " + read.why_not);
+    return;
+  }
+  subject.figure = std::move(read.figure);
+  if (!subject.figure->times_s.empty())
+    std::erase_if(subject.notes, [](const std::string& note) {
+      return note.ends_with(": left out: 1 animation (everything is shown at rest)");
+    });
+}
+
+bool names_joint(std::string_view node) {
+  return !hanim_joint(node).empty();
+}
+
 }  // namespace
 
 X3dSubject subject_of_set(const X3dRequest& request) {
@@ -98,6 +129,18 @@ X3dSubject subject_of_set(const X3dRequest& request) {
   subject.albedo = scene.definition.albedo;
   subject.light = scene.light;
   subject.objects = scene.objects.at(static_cast<std::size_t>(stimulus.object_index - 1));
+  const ObjectDefinition& object =
+      scene.definition.objects.at(static_cast<std::size_t>(stimulus.object_index - 1));
+  take_figure(
+      {.path = object.path,
+       .materials = scene.definition.materials,
+       .moment = split_moment(object.file).moment,
+       .is_joint = names_joint},
+      [&] {
+        std::vector<std::string> rests;
+        return standing_placement(object, read_object_file(object, scene.definition), scene, rests);
+      },
+      subject);
   subject.photograph = photograph(truth, subject.light, subject.camera, request);
   DepthSettings settings = stimulus.depth;
   if (settings.mitigation != Mitigation{} || settings.pipeline != Pipeline{})
@@ -149,6 +192,12 @@ X3dSubject subject_of_scene(const X3dRequest& request) {
   PhotoObjects placed = place_objects({*request.object}, subject.camera_position_m);
   subject.objects = std::move(placed.meshes);
   subject.notes = std::move(placed.left_out);
+  take_figure(
+      {.path = request.object->path,
+       .materials = request.object->materials,
+       .transparency = request.object->transparency,
+       .is_joint = names_joint},
+      [&] { return placed.sizes.front().placement; }, subject);
   subject.depth = std::make_shared<const Geometry>(meshes);
   subject.photograph = photograph(*subject.depth, subject.light, subject.camera, request);
   return subject;

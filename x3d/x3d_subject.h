@@ -8,6 +8,7 @@
 #include "composites/objects/photo_objects.h"
 #include "raytracer/light/light.h"
 #include "raytracer/scene/camera.h"
+#include "raytracer/scene/scene_figure.h"
 #include "raytracer/tracing/geometry.h"
 #include "stimuli/definition/study_definition.h"
 #include "support/files/image.h"
@@ -44,8 +45,10 @@ struct X3dSubject {
   std::shared_ptr<const Geometry> depth;  ///< the local scene: what stands for the real world
   std::vector<std::shared_ptr<const SurfaceMesh>> objects;
   Light light;
-  double albedo = 0.5;             ///< of the local scene
-  std::vector<std::string> notes;  ///< what of the source the page does not show
+  double albedo = 0.5;                     ///< of the local scene
+  std::vector<std::string> notes;          ///< what of the source the page does not show
+  std::optional<SceneFigure> figure = {};  ///< of the objects, one mesh for each of theirs
+  Eigen::Affine3d x3d_from_figure = Eigen::Affine3d::Identity();  ///< from its file to where it stands
 };
 
 /// A stimulus of a set: its truth without the virtual object is photographed again, with `spp` samples a

@@ -97,6 +97,7 @@ PhotoObjects place_objects(const std::vector<PlacedModel>& models, const Eigen::
     const Eigen::AlignedBox3d box = turned_box(file, placement);
     size.low_m = box.min();
     size.high_m = box.max();
+    size.placement = placement;
     placed.sizes.push_back(size);
     const auto meshes = place_meshes(file, placement, centre_m, model.albedo, photo_object_index);
     placed.meshes.insert(placed.meshes.end(), meshes.begin(), meshes.end());

@@ -39,6 +39,7 @@ struct PhotoObjects {
     std::string file;
     Eigen::Vector3d low_m, high_m;  ///< its box in the composite's world
     std::size_t triangles = 0;
+    Eigen::Affine3d placement = Eigen::Affine3d::Identity();  ///< from its file to the composite's world
   };
   std::vector<Size> sizes;            ///< of each object
   std::vector<std::string> rests;     ///< sentences about what was let down
