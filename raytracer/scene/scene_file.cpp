@@ -194,8 +194,10 @@ SceneFile read_scene_moment(const std::filesystem::path& path, MaterialModel mat
                             Transparency transparency, const std::optional<FileMoment>& moment) {
   LeftOut left_out;
   GltfJson animations;
-  tinygltf::Model model = load_gltf(path, left_out, moment ? &animations : nullptr);
-  if (moment) pose_at(*moment, animations, path.string(), model, left_out);
+  const bool is_animated = moment && moment->is_animated;
+  tinygltf::Model model = load_gltf(path, left_out, is_animated ? &animations : nullptr);
+  if (is_animated) pose_at(*moment, animations, path.string(), model, left_out);
+  if (moment) place_nodes(moment->nodes, path.string(), model);
   return NodeWalker(model, path.string(), materials, transparency, left_out).walk();
 }
 

@@ -10,9 +10,12 @@
 #include <vector>
 
 #include "raytracer/scene/gltf/gltf_accessor.h"
+#include "raytracer/scene/gltf/gltf_pose.h"
+#include "support/arithmetic/units.h"
 #include "support/text/error.h"
 #include "support/text/limits.h"
 #include "support/text/printable.h"
+#include "support/text/suggest.h"
 
 namespace seamline::renderer {
 namespace {
@@ -179,6 +182,36 @@ std::size_t index_of(const std::string& name, const GltfJson& animations, const 
 }
 
 }  // namespace
+
+void place_nodes(const std::vector<PlacedNode>& nodes, const std::string& file, tinygltf::Model& model) {
+  for (const PlacedNode& moved : nodes) {
+    std::vector<std::string> names;
+    for (const tinygltf::Node& node : model.nodes) names.push_back(node.name);
+    const auto count = std::count(names.begin(), names.end(), moved.name);
+    if (count != 1) {
+      const std::string nearest = nearest_word(moved.name, names);
+      throw input_error({.file = file,
+                         .field = "node \"" + printable(moved.name) + "\"",
+                         .wanted = "the name of one of its nodes",
+                         .found = count > 1 ? fmt::format("{} of that name", count)
+                                  : nearest.empty()
+                                      ? std::string("none of that name")
+                                      : "none of that name; did you mean \"" + printable(nearest) + "\"?"});
+    }
+    const auto at = std::find(names.begin(), names.end(), moved.name) - names.begin();
+    tinygltf::Node& node = model.nodes[static_cast<std::size_t>(at)];
+    const Eigen::Vector3d angle = moved.rotation_deg * radians_per_degree;
+    Eigen::Affine3d own = GltfPose::local(node);
+    own.linear() = (Eigen::AngleAxisd(angle.y(), Eigen::Vector3d::UnitY()) *
+                    Eigen::AngleAxisd(angle.x(), Eigen::Vector3d::UnitX()) *
+                    Eigen::AngleAxisd(angle.z(), Eigen::Vector3d::UnitZ()))
+                       .toRotationMatrix() *
+                   own.linear();
+    own.translation() += moved.position_m;
+    node.translation.clear(), node.rotation.clear(), node.scale.clear();
+    node.matrix.assign(own.matrix().data(), own.matrix().data() + 16);
+  }
+}
 
 void pose_at(const FileMoment& moment, const GltfJson& animations, const std::string& file,
              tinygltf::Model& model, LeftOut& left_out) {

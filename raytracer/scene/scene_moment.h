@@ -1,6 +1,8 @@
 #pragma once
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "raytracer/scene/gltf/gltf_extensions.h"
 #include "raytracer/scene/gltf/gltf_json.h"
@@ -20,6 +22,10 @@ namespace seamline::renderer {
 
 /// The file of an object as it stands in a scene, which may give its surfaces another gloss.
 [[nodiscard]] SceneFile read_object_file(const ObjectDefinition& object, const SceneDefinition& scene);
+
+/// Moves nodes from where they stand. Throws InputError naming the file and a node that it has not, or has
+/// twice.
+void place_nodes(const std::vector<PlacedNode>& nodes, const std::string& file, tinygltf::Model& model);
 
 /// Puts a model's nodes where its animation has them (glTF 2.0, 3.11 and appendix C): translation, rotation,
 /// scale and morph weights, by steps, lines or cubic splines. Before its first key and after its last one a

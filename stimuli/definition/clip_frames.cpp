@@ -97,6 +97,13 @@ SceneDefinition scene_at(SceneDefinition scene, const StudyDefinition& study, do
       file = with_moment(file, {animation->second.name, animation_time_s(animation->second, time_s)});
   };
   animate("", scene.file);
+  for (const auto& [place, motion] : study.clip->motions) {
+    const std::optional<std::string> node = moved_node(place.second);
+    if (place.first != scene.name || !node) continue;
+    const PlacedNode start = node_of(scene.file, *node);
+    const ObjectPose pose = pose_at(motion, {start.position_m, start.rotation_deg}, time_s, speed_m_s);
+    scene.file = with_node(scene.file, {*node, pose.position_m, pose.rotation_deg});
+  }
   if (const auto motion = study.clip->cameras.find(scene.name); motion != study.clip->cameras.end()) {
     const CameraKey key = camera_at(motion->second, time_s);
     scene.camera->position_m = key.position_m;

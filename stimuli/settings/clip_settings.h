@@ -1,5 +1,6 @@
 #pragma once
 #include "stimuli/definition/moving/clip_definition.h"
+#include "stimuli/definition/moving/file_moment.h"
 #include "stimuli/settings/settings_text.h"
 #include "support/text/limits.h"
 
@@ -133,6 +134,30 @@ inline constexpr auto settings_of<CameraKey> = std::to_array<Setting<CameraKey>>
      .range = places_m,
      .meaning = "What it looks at then.",
      .wording = {.before = " "},
+     .of_condition = false},
+});
+
+/// `[[scene.node]]`: a node of the background.
+template <>
+inline constexpr auto settings_of<PlacedNode> = std::to_array<Setting<PlacedNode>>({
+    {.key = "name",
+     .slot = &PlacedNode::name,
+     .meaning = "The node's name in the scene's file. What hangs on it moves with it.",
+     .of_condition = false,
+     .required = "a name of a node"},
+    {.key = "position_m",
+     .slot = &PlacedNode::position_m,
+     .range = places_m,
+     .meaning = "How far it stands from where the file has it, along its parent's axes.",
+     .of_condition = false},
+    {.key = "rotation_deg",
+     .slot = &PlacedNode::rotation_deg,
+     .range = {-36000, 36000, "degrees"},
+     .meaning = "How it is turned about its own origin: pitch, yaw, roll.",
+     .of_condition = false},
+    {.key = "path",
+     .slot = Described{"table"},
+     .meaning = "How it moves in a clip, as an object's, from there.",
      .of_condition = false},
 });
 

@@ -6,7 +6,9 @@
 #include <set>
 
 #include "stimuli/definition/looks/study_look.h"
+#include "stimuli/definition/moving/file_moment.h"
 #include "stimuli/definition/parts/task_definition.h"
+#include "stimuli/settings/clip_settings.h"
 #include "stimuli/settings/read_settings.h"
 #include "stimuli/settings/scene_settings.h"
 #include "stimuli/study_file/moving/study_file_clip.h"
@@ -28,14 +30,32 @@ bool read_projection(const TomlTable& table) {
   return table.has("projection") && read_word(table, "projection", words_of_projection) == 1;
 }
 
-void read_path(const TomlTable& table, const ObjectDefinition& object, const std::string& scene,
-               Quantity level, ClipDefinition* clip) {
+/// `path` of an object or node. `place`: the scene and which of it moves.
+void read_path(const TomlTable& table, const Eigen::Vector3d& position_m,
+               const std::pair<std::string, std::string>& place, Quantity level, ClipDefinition* clip) {
   if (!table.has("path")) return;
   if (clip == nullptr)
     throw table.complaint("path", "a table [clip] in the study beside it: objects of stills stand still",
                           "none");
-  clip->motions.emplace(std::pair(scene, object.name),
-                        read_motion(*table.table("path"), object.position_m, level));
+  clip->motions.emplace(place, read_motion(*table.table("path"), position_m, level));
+}
+
+/// Nodes of the background that stand or move elsewhere than in their file.
+void read_nodes(const TomlTable& table, SceneDefinition& scene, Quantity level, ClipDefinition* clip) {
+  std::set<std::string> names;
+  for (const TomlTable& one : table.tables("node")) {
+    PlacedNode node;
+    read_settings(one, node);
+    static_cast<void>(one.has("path"));
+    one.finish();
+    if (node.name.empty() || node.name.find_first_of(marks_of_nodes) != std::string::npos)
+      throw one.complaint("name", "a node's name without any of " + std::string(marks_of_nodes),
+                          "\"" + node.name + "\"");
+    if (!names.insert(node.name).second)
+      throw one.complaint("name", "each node once", "\"" + node.name + "\" twice");
+    read_path(one, node.position_m, {scene.name, place_of_node(node.name)}, level, clip);
+    scene.file = with_node(scene.file, node);
+  }
 }
 
 /// `animation` of an object, or of the background.
@@ -112,13 +132,14 @@ SceneDefinition read_scene(const TomlTable& table, const AssetFolders& folders, 
     read_camera_path(*camera, scene, clip);
   }
   read_animation_of(table, scene.file, {scene.name, ""}, clip);
+  read_nodes(table, scene, level, clip);
   std::set<std::string> names;
   for (const TomlTable& object : table.tables("object")) {
     scene.objects.push_back(read_object(object, folders, assets));
     if (!names.insert(scene.objects.back().name).second)
       throw object.complaint("name", "a name that no other object of the scene has",
                              "\"" + scene.objects.back().name + "\"");
-    read_path(object, scene.objects.back(), scene.name, level, clip);
+    read_path(object, scene.objects.back().position_m, {scene.name, scene.objects.back().name}, level, clip);
     read_animation_of(object, scene.objects.back().file, {scene.name, scene.objects.back().name}, clip);
   }
   table.finish();

@@ -160,6 +160,28 @@ TEST_F(AnimatedFile, AnAnimatedJointTakesItsPartOfASkinAlong) {
   EXPECT_TRUE(corners.at(2).isApprox(Eigen::Vector3d(0, 5, 4), 1e-6)) << corners.at(2).transpose();
 }
 
+TEST_F(AnimatedFile, ANodeStandsWhereItIsPutAndWhatHangsOnItWithIt) {
+  animate(0, "translation", "LINEAR", {9, 9, 9, 9, 9, 9, 9, 9, 9}, "VEC3", 3);
+  const auto corners = [&](FileMoment moment) {
+    return read_scene_moment(gltf("", R"(,"name":"leaf","rotation":[0,0,0.6,0.8])"), MaterialModel::diffuse,
+                             Transparency::refused, moment)
+        .meshes.at(0)
+        .positions_m;
+  };
+  const FileMoment moved{.is_animated = false, .nodes = {{"leaf", {1, 2, 3}, {0, 90, 0}}}};
+  // The child stands at (1, 0, 0) of the leaf, whose own turn takes that to (0.28, 0.96, 0), 90 degrees of
+  // yaw to (0, 0.96, -0.28).
+  EXPECT_TRUE(corners(moved).at(0).isApprox(Eigen::Vector3d(1, 2.96, 2.72), 1e-6)) << corners(moved).at(0);
+  FileMoment both = moved;
+  both.animation = "Open", both.is_animated = true;
+  EXPECT_TRUE(corners(both).at(0).isApprox(Eigen::Vector3d(10, 11.96, 11.72), 1e-6)) << corners(both).at(0);
+  const std::string unknown = test::complaint_of([&] {
+    (void)corners({.is_animated = false, .nodes = {{"laef", {1, 0, 0}}}});
+  });
+  EXPECT_THAT(unknown, HasSubstr("node \"laef\""));
+  EXPECT_THAT(unknown, HasSubstr("did you mean \"leaf\"?"));
+}
+
 TEST_F(AnimatedFile, AnimationsWithoutNamesHaveNumbers) {
   animate(0, "translation", "LINEAR", {1, 0, 0, 1, 0, 0, 1, 0, 0}, "VEC3", 3);
   const std::filesystem::path path = gltf(

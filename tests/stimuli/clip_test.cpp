@@ -1,3 +1,4 @@
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -101,6 +102,58 @@ TEST(Clips, AFileIsNamedWithTheMomentOfItsAnimation) {
     EXPECT_EQ(split_moment(file).file, file);
     EXPECT_FALSE(split_moment(file).moment) << file;
   }
+}
+
+TEST(Clips, NodesOfAFileStandWhereItsNameSays) {
+  const std::string moved = with_node("room.glb#Open@0.25", {"leaf 2", {0.1, 0, -2}, {0, 90, 0}});
+  EXPECT_EQ(moved, "room.glb#leaf 2@[0.1 0 -2 0 90 0]#Open@0.25");
+  const NamedFile named = split_moment(moved);
+  EXPECT_EQ(named.file, "room.glb");
+  ASSERT_TRUE(named.moment);
+  EXPECT_EQ(named.moment->animation, "Open");
+  EXPECT_EQ(node_of(moved, "leaf 2").position_m, Eigen::Vector3d(0.1, 0, -2));
+  EXPECT_TRUE(node_of(moved, "leaf").stands());
+  EXPECT_EQ(with_moment(moved, {"Shut", 1}), "room.glb#leaf 2@[0.1 0 -2 0 90 0]#Shut@1");
+  EXPECT_EQ(with_node(moved, {"leaf 2"}), "room.glb#Open@0.25");
+  const std::string room = with_node("builtin:room", {"leaf", {1, 0, 0}});
+  EXPECT_EQ(split_moment(room).file, "builtin:room");
+  EXPECT_FALSE(split_moment(room).moment->is_animated);
+  EXPECT_EQ(with_node(room, {"leaf"}), "builtin:room");
+  for (const char* file :
+       {"room.glb#leaf@[1 2 3]", "room.glb#leaf@[1 2 3 4 5 6", "room.glb#leaf@[1 2 3 4 5 x]",
+        "room.glb#leaf@[1 2 3 4 5 6 7]", "room.glb#leaf@[0 0 0 0 0 inf]"})
+    EXPECT_FALSE(split_moment(file).moment) << file;
+}
+
+TEST(Clips, ANodeOfTheBackgroundMovesOnItsPathAsStillsHaveItThere) {
+  const auto study = [](const std::string& node, const std::string& clip) {
+    return clip_study(widths, "", clip) + "\n[[scene.node]]\nname = \"leaf\"\n" + node;
+  };
+  const std::string path = "path = { kind = \"line\", to_m = [0.6, 0, 0], speed_m_s = 0.2 }\n";
+  const std::vector<SceneDefinition> frames = list_truths(still_study(read_clips(study(path, clip_table))));
+  ASSERT_EQ(frames.size(), 4U);
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    const double moved_m = node_of(frames[k].file, "leaf").position_m.x();
+    EXPECT_NEAR(moved_m, 0.1 * static_cast<double>(k), 1e-12);
+    const StudyDefinition still = read_clips(study(fmt::format("position_m = [{}, 0, 0]\n", moved_m), ""));
+    EXPECT_EQ(frames[k].file, list_truths(still).front().file) << k;
+  }
+  EXPECT_EQ(frames[0].file, "room.glb");
+  const std::string stands = "path = { kind = \"turn\", speed_deg_s = 0 }\n";
+  for (const SceneDefinition& truth : list_truths(still_study(read_clips(study(stands, clip_table)))))
+    EXPECT_EQ(truth.file, "room.glb");
+  EXPECT_EQ(list_truths(still_study(read_clips(study("rotation_deg = [0, 30, 0]\npath = { kind = \"turn\", "
+                                                     "speed_deg_s = 20 }\n",
+                                                     clip_table))))[3]
+                .file,
+            "room.glb#leaf@[0 0 0 0 60 0]");
+  const auto complaint = [&](const std::string& node, const std::string& clip) {
+    return complaint_of_clip(study(node, clip));
+  };
+  EXPECT_NE(complaint(path, "").find("a table [clip]"), std::string::npos) << complaint(path, "");
+  const std::string twice = "[[scene.node]]\nname = \"leaf\"\n";
+  EXPECT_NE(complaint(path + twice, clip_table).find("each node once"), std::string::npos);
+  EXPECT_NE(complaint("[[scene.node]]\nname = \"a@b\"\n", "").find("without any of #@[]"), std::string::npos);
 }
 
 TEST(Clips, FramesHaveTheMomentsOfAnimationsAndTheCamerasPlaces) {

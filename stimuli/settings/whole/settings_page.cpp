@@ -238,6 +238,7 @@ std::string table_named(const std::string& name) {
   if (name == "level") return table_of<LevelDefinition>();
   if (name == "clip") return table_of<ClipDefinition>();
   if (name == "path") return path_table();
+  if (name == "node") return table_of<PlacedNode>();
   if (name == "animation") return table_of<FileAnimation>();
   if (name == "look") return table_of<LookDefinition>();
   if (name == "task") return table_of<TaskDefinition>();

@@ -169,7 +169,7 @@ ObjectMotion read_motion(const TomlTable& path, const Eigen::Vector3d& position_
 
 FileAnimation read_animation(const TomlTable& animation, const std::string& file) {
   const NamedFile named = split_moment(file);
-  if (named.moment)
+  if (named.moment && named.moment->is_animated)
     throw animation.complaint("name", "a file without a moment beside `animation`, which says the moment",
                               "\"" + file + "\"");
   FileAnimation out;
