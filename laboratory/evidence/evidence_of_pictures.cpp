@@ -114,7 +114,7 @@ EvidencePage convergence_page() {
                 light("light-sky", "environment_light", "gazebo-shadow-lion-sky"),
                 {"estimates",
                  "seamline lab convergence stimuli/quick.toml --only bedroom-receiver-statue-0064 --parts "
-                 "sensor,repair,registration,fit,joint,interval --out estimates",
+                 "sensor,repair,registration,fit,joint,interval,plan --out estimates",
                  Printed::progress},
                 masks("masks-occlusion", "atrium-occlusion-teapot_middle"),
                 masks("masks-overlap", "gazebo-overlap-lion")};
@@ -125,7 +125,7 @@ EvidencePage convergence_page() {
        Printed::progress}};
   for (const EvidenceStep& one : page.steps) {
     for (const char* figure : {"samples", "mesh", "width", "light", "sensor", "repair", "registration", "fit",
-                               "joint", "interval", "mitigation", "filter"})
+                               "joint", "interval", "plan", "mitigation", "filter"})
       page.shown.push_back(one.name + "/" + figure + ".svg");
     page.shown.push_back(one.name + "/slopes.csv");
   }
