@@ -1,5 +1,8 @@
 #include "composites/fast_photo.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "composites/objects/photo_objects.h"
 #include "renderer/estimators/fast/fast_stimulus.h"
 #include "renderer/estimators/fast/fast_truth_pass.h"
@@ -8,13 +11,9 @@
 namespace seamline::renderer {
 namespace {
 
-/// Samples of who covers what, which cost two rays each; the object begins with as many. Sixteen are wrong
-/// by an eighth in a pixel that is half covered: of a picture whose edges are two pixels of a hundred, by
-/// less than 0.01.
-int coverage_spp(double error) {
-  constexpr double lax_error = 0.02;
-  return error >= lax_error ? 16 : 64;
-}
+constexpr int coverage_spp = 64;  // of who covers what, which costs two rays a sample
+constexpr int lax_coverage_spp = 16;
+constexpr double lax_error = 0.02;
 
 TruthScene scene_of(const PhotoScene& photo, const PhotoMeshes& meshes, double exposure_ev,
                     const Light& light) {
@@ -57,6 +56,38 @@ TruthSums photographed_truth(const PhotoScene& photo, const TruthScene& scene, c
   return truth;
 }
 
+/// How far off the share is that the objects cover, by half the difference of both halves: a root mean square
+/// over the picture.
+double coverage_error(const TruthSums& truth) {
+  double squares = 0;
+  for (std::size_t pixel = 0; pixel < truth.halves[0].size(); ++pixel) {
+    const double difference = double{truth.halves[0][pixel].covered} - double{truth.halves[1][pixel].covered};
+    squares += difference * difference;
+  }
+  return std::sqrt(squares / static_cast<double>(truth.halves[0].size())) / truth.spp;
+}
+
+/// Who covers what in a photograph, and the truth's sums of that.
+struct Covered {
+  SceneSums sums;
+  TruthSums truth;
+};
+
+Covered covered(const PhotoScene& photo, const TruthScene& scene, int spp, const PassOptions& options) {
+  Covered out{.sums = coverage(scene, photo.occlusion.test, spp, options), .truth = {}};
+  out.truth = photographed_truth(photo, scene, out.sums, options.threads);
+  return out;
+}
+
+/// By 64 samples a pixel; beside a large error by 16, unless many edges make that too few.
+Covered covered_within(const PhotoScene& photo, const TruthScene& scene, double error,
+                       const PassOptions& options) {
+  if (error >= lax_error)
+    if (Covered few = covered(photo, scene, lax_coverage_spp, options); coverage_error(few.truth) < error / 2)
+      return few;
+  return covered(photo, scene, coverage_spp, options);
+}
+
 }  // namespace
 
 std::shared_ptr<const SurfaceMesh> surface_of_depth(const DepthMesh& mesh, double albedo) {
@@ -89,8 +120,12 @@ std::shared_ptr<const SeenEmission> seen_objects(const PhotoScene& photo, const 
 PhotoEstimate photo_by_fast(const PhotoScene& photo, const PhotoMeshes& meshes,
                             const std::optional<double>& error, double exposure_ev,
                             const PassOptions& options) {
-  const int spp = error ? coverage_spp(*error) : std::max(2, options.spp / 2 * 2);
   TruthScene scene = scene_of(photo, meshes, exposure_ev, photo.light);
+  const Covered shown = error ? covered_within(photo, scene, *error, options)
+                              : covered(photo, scene, std::max(2, options.spp / 2 * 2), options);
+  const SceneSums& sums = shown.sums;
+  const TruthSums& truth = shown.truth;
+  const int spp = truth.spp;
   EstimatorChoices choices = estimator_choices(
       Estimator::fast, light_facts(scene), exposure_ev,
       {.spp = spp, .error = error, .seed = options.seed, .threads = options.threads, .depth_bounces = true});
@@ -99,8 +134,6 @@ PhotoEstimate photo_by_fast(const PhotoScene& photo, const PhotoMeshes& meshes,
   scene = with_chosen_light(std::move(scene), choices);
   const ObjectGeometry geometry = object_geometry(scene, photo_object_index);
   const OcclusionTest* test = photo.occlusion.test;
-  const SceneSums sums = coverage(scene, test, spp, options);
-  const TruthSums truth = photographed_truth(photo, scene, sums, options.threads);
   ErrorEstimate no_error;
   no_error.tiles.resize(static_cast<std::size_t>(sums.grid.count()));
   no_error.blocks.resize(static_cast<std::size_t>(sums.blocks().count()));

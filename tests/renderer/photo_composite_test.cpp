@@ -156,6 +156,24 @@ TEST_F(PhotoComposite, TheErrorIsOfThePictureThatIsMade) {
   EXPECT_NE(path.error.rmse(), photo_by_path(scene(objects), {}, 0, {.spp = 16, .threads = 2}).error.rmse());
 }
 
+TEST_F(PhotoComposite, ManyThinBarsReachALargeErrorWithNoMoreSamplesThanASmallOne) {
+  // Every pixel is partly covered: 16 samples of coverage alone would be further off than was asked.
+  Meshes bars;
+  for (int bar = 0; bar < 70; ++bar) {
+    const float left_m = -1.5F + 3.0F * static_cast<float>(bar) / 70;
+    bars.push_back(test::box({left_m, -0.9F, -2.01F}, {left_m + 0.012F, 0.9F, -2}, 0.9F, 1));
+  }
+  photograph_ = Image(64, 48, 3, 0.02F);
+  const Geometry objects(bars);
+  const auto made = [&](double error) {
+    return photo_by_fast(scene(objects), {surface_of_depth(mesh_, 0.5), bars}, error, 0,
+                         {.seed = 5, .threads = 2});
+  };
+  const PhotoEstimate large = made(0.034), small = made(0.0199);
+  EXPECT_LE(large.error.rmse(), 0.034);
+  EXPECT_LE(large.taken.most, small.taken.most);
+}
+
 TEST_F(PhotoComposite, TheErrorThatIsAskedForIsReached) {
   const Geometry objects(Meshes{test::sphere({-0.4F, -0.4F, -4}, 0.6F, 48, 0.6F, 1)});
   const PhotoEstimate made = photo_by_path(scene(objects), 0.003, 0, {.threads = 2});
