@@ -17,10 +17,17 @@
 namespace seamline::inline stimuli {
 namespace {
 
+/// Of nodes that are written behind a file's name, as only the program does.
+void refuse_written_nodes(const TomlTable& table, const std::string& file, const std::string& wanted) {
+  if (const auto moment = split_moment(file).moment; moment && !moment->nodes.empty())
+    throw table.complaint("file", wanted, "\"" + file + "\"");
+}
+
 ObjectDefinition read_object(const TomlTable& table, const AssetFolders& folders, AssetCheck assets) {
   ObjectDefinition object;
   read_settings(table, object);
   table.finish();
+  refuse_written_nodes(table, object.file, "a file whose nodes stand where it has them");
   object.path = find_asset(table, "file", object.file, folders, assets);
   return object;
 }
@@ -42,17 +49,25 @@ void read_path(const TomlTable& table, const Eigen::Vector3d& position_m,
 
 /// Nodes of the background that stand or move elsewhere than in their file.
 void read_nodes(const TomlTable& table, SceneDefinition& scene, Quantity level, ClipDefinition* clip) {
+  refuse_written_nodes(table, scene.file, "a file, and [[scene.node]] for nodes that stand elsewhere");
   std::set<std::string> names;
   for (const TomlTable& one : table.tables("node")) {
     PlacedNode node;
     read_settings(one, node);
-    static_cast<void>(one.has("path"));
+    const bool moves = one.has("path") || one.has("position_m") || one.has("rotation_deg");
     one.finish();
     if (node.name.empty() || node.name.find_first_of(marks_of_nodes) != std::string::npos)
       throw one.complaint("name", "a node's name without any of " + std::string(marks_of_nodes),
                           "\"" + node.name + "\"");
     if (!names.insert(node.name).second)
       throw one.complaint("name", "each node once", "\"" + node.name + "\" twice");
+    if (!moves)
+      throw one.complaint("name", "position_m, rotation_deg or a path beside it, which move the node",
+                          "none");
+    const PlacedNode elsewhere{.name = node.name, .position_m = Eigen::Vector3d::Ones()};
+    if (!split_moment(with_node(scene.file, elsewhere)).moment)
+      throw table.complaint("file", "a glTF file (.gltf, .glb) or a built-in one beside [[scene.node]]",
+                            "\"" + scene.file + "\"");
     read_path(one, node.position_m, {scene.name, place_of_node(node.name)}, level, clip);
     scene.file = with_node(scene.file, node);
   }

@@ -153,7 +153,16 @@ TEST(Clips, ANodeOfTheBackgroundMovesOnItsPathAsStillsHaveItThere) {
   EXPECT_NE(complaint(path, "").find("a table [clip]"), std::string::npos) << complaint(path, "");
   const std::string twice = "[[scene.node]]\nname = \"leaf\"\n";
   EXPECT_NE(complaint(path + twice, clip_table).find("each node once"), std::string::npos);
-  EXPECT_NE(complaint("[[scene.node]]\nname = \"a@b\"\n", "").find("without any of #@[]"), std::string::npos);
+  const std::string right = "position_m = [1, 0, 0]\n";
+  EXPECT_NE(complaint(right + "[[scene.node]]\nname = \"a@b\"\n", "").find("without any of #@[]"),
+            std::string::npos);
+  EXPECT_NE(complaint("", "").find("position_m, rotation_deg or a path"), std::string::npos);
+  const auto of_room = [&](const std::string& file) {
+    std::string text = study(right, "");
+    return complaint_of_clip(text.replace(text.find("room.glb"), 8, file));
+  };
+  EXPECT_NE(of_room("room.bin").find("a glTF file (.gltf, .glb) or a built-in one"), std::string::npos);
+  EXPECT_NE(of_room("room.glb#leaf@[0 0 0 0 9 0]").find("[[scene.node]] for nodes"), std::string::npos);
 }
 
 TEST(Clips, FramesHaveTheMomentsOfAnimationsAndTheCamerasPlaces) {
