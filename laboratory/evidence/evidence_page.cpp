@@ -84,7 +84,7 @@ EvidencePage faults_page() {
 EvidencePage growth_page() {
   return {.name = "growth",
           .shows = "how time and memory of each command grow",
-          .takes = "3 hours",
+          .takes = "1 hour",
           .needs = python_needed,
           .steps = {{"growth", "benchmarks/growth SEAMLINE work --large"}},
           .small_steps = {{"growth", "benchmarks/growth SEAMLINE work --only nodes"}},

@@ -49,8 +49,8 @@ TEST(Evidence, AFigureAndATableOfSpeedAreMade) {
   const fs::path out = test::fresh_folder("evidence-speed");
   const test::Outcome outcome = test::run_built(remade("speed", out));
   ASSERT_EQ(outcome.status, 0) << outcome.output;
-  EXPECT_THAT(read_text(out / "speed/bench.svg"), HasSubstr("</svg>"));
-  EXPECT_THAT(read_text(out / "speed/speed.md"), HasSubstr("![bench.svg](bench.svg)"));
+  EXPECT_THAT(read_text(out / "speed/ratios.svg"), HasSubstr("</svg>"));
+  EXPECT_THAT(read_text(out / "speed/speed.md"), HasSubstr("![ratios.svg](ratios.svg)"));
 }
 
 TEST(Evidence, CurvesGoThroughTheMeansOfATable) {
