@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -92,13 +93,15 @@ std::vector<std::string> hanim_joints(const std::vector<std::string>& nodes) {
       arms.insert({words.side});
   std::vector<std::string> names;
   std::set<std::string> taken;
+  std::map<std::string, int> last;  ///< number behind a name
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const Words words = words_of(nodes[i]);
     std::string name = i == 0 ? "humanoid_root" : hanim_joint(nodes[i]);
     if (words.core == "shoulder" && arms.contains({words.side})) name.clear();
     if (name.empty() || taken.contains(name)) name = own_name(nodes[i]);
     const std::string first = name;
-    for (int again = 2; !taken.insert(name).second; ++again) name = fmt::format("{}_{}", first, again);
+    while (!taken.insert(name).second)
+      name = fmt::format("{}_{}", first, ++last.try_emplace(first, 1).first->second);
     names.push_back(name);
   }
   return names;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "support/text/printable.h"
 #include "x3d/hanim_names.h"
 
 namespace seamline::renderer {
@@ -58,13 +59,20 @@ void add_mesh(const FigureSkin& skin, const SurfaceMesh& mesh, std::span<const f
   }
 }
 
+/// Why a transform is no similarity.
+const char* fault_of(const Eigen::Affine3d& transform) {
+  const double determinant = transform.linear().determinant();
+  return determinant > 0 ? "sheared" : determinant < 0 ? "mirrored" : "flat";
+}
+
 }  // namespace
 
 std::string why_no_x3d_figure(const SceneFigure& figure, const Eigen::Affine3d& x3d_from_file) {
-  if (!similarity_of(x3d_from_file * figure.above_root)) return "the nodes above its joints are sheared";
+  if (const Eigen::Affine3d above = x3d_from_file * figure.above_root; !similarity_of(above))
+    return std::string("the nodes above its joints are ") + fault_of(above);
   for (const FigureJoint& joint : figure.joints)
-    if (!similarity_of(x3d_from_file * figure.from_bound * joint.bound))
-      return "its joint \"" + joint.name + "\" is bound with a shear";
+    if (const Eigen::Affine3d bound = x3d_from_file * figure.from_bound * joint.bound; !similarity_of(bound))
+      return "its joint \"" + printable(joint.name) + "\" is bound " + fault_of(bound);
   return {};
 }
 

@@ -33,7 +33,11 @@ std::string vectors_text(const std::vector<Eigen::Vector3f>& vectors) {
 
 class HumanoidText {
  public:
-  explicit HumanoidText(const X3dFigure& figure) : figure_(figure), holds_(figure.joints.size()) {
+  explicit HumanoidText(const X3dFigure& figure)
+      : figure_(figure), holds_(figure.joints.size()), children_(figure.joints.size()) {
+    for (std::size_t j = 0; j < figure.joints.size(); ++j)
+      if (figure.joints[j].parent >= 0)
+        children_[static_cast<std::size_t>(figure.joints[j].parent)].push_back(j);
     for (std::size_t v = 0; v < figure.held_by.size(); ++v)
       for (const auto& [joint, weight] : figure.held_by[v])
         holds_[static_cast<std::size_t>(joint)].emplace_back(v, weight);
@@ -61,11 +65,10 @@ class HumanoidText {
       text += " skinCoordIndex=\"" + index + "\" skinCoordWeight=\"" + weight + "\"";
     }
     text += ">";
-    for (std::size_t child = 0; child < figure_.joints.size(); ++child)
-      if (figure_.joints[child].parent == static_cast<int>(number)) text += "\n" + this->joint(child);
+    for (const std::size_t child : children_[number]) text += "\n" + this->joint(child);
     if (const std::string segment = hanim_segment(joint.name); !segment.empty())
       text += fmt::format(
-          "<HAnimSegment DEF=\"hanim_{0}\" name=\"{0}\" containerField=\"children\"></HAnimSegment>",
+          "<HAnimSegment DEF=\"segment_{0}\" name=\"{0}\" containerField=\"children\"></HAnimSegment>",
           segment);
     return text + "</HAnimJoint>";
   }
@@ -77,7 +80,7 @@ class HumanoidText {
           fmt::format("<HAnimJoint USE=\"hanim_{}\" containerField=\"joints\"></HAnimJoint>\n", joint.name);
       if (const std::string segment = hanim_segment(joint.name); !segment.empty())
         segments += fmt::format(
-            "<HAnimSegment USE=\"hanim_{}\" containerField=\"segments\"></HAnimSegment>\n", segment);
+            "<HAnimSegment USE=\"segment_{}\" containerField=\"segments\"></HAnimSegment>\n", segment);
     }
     return joints + segments;
   }
@@ -116,7 +119,7 @@ class HumanoidText {
       key += field_text(figure_.fractions[i]) + " ";
       values += value(joint.keys[i]) + " ";
     }
-    const std::string name = fmt::format("hanim_{}_{}", joint.name, field);
+    const std::string name = fmt::format("{}_{}", field, joint.name);
     return fmt::format(
         "<{0}Interpolator DEF=\"{1}\" key=\"{2}\" keyValue=\"{3}\"></{0}Interpolator>\n"
         "<ROUTE fromNode=\"figure_clock\" fromField=\"fraction_changed\" toNode=\"{1}\" "
@@ -127,6 +130,7 @@ class HumanoidText {
 
   const X3dFigure& figure_;
   std::vector<std::vector<std::pair<std::size_t, double>>> holds_;  ///< vertices of each joint
+  std::vector<std::vector<std::size_t>> children_;                  ///< of each joint
 };
 
 }  // namespace

@@ -82,6 +82,22 @@ void require_light(const Light& light, const std::string& source) {
                        .found = "none"});
 }
 
+/// A note without the word that animations were left out; empty where it says nothing else.
+std::string without_rest(std::string note) {
+  constexpr std::string_view words = " (everything is shown at rest)", left_out = ": left out: ";
+  const std::size_t at = note.rfind(words), list = note.rfind(left_out);
+  if (at == std::string::npos || list == std::string::npos || at < list) return note;
+  const std::size_t first = list + left_out.size(), semicolon = note.rfind("; ", at);
+  std::size_t from = semicolon == std::string::npos || semicolon < first ? first : semicolon + 2,
+              to = at + words.size();
+  if (to < note.size())
+    to += 2;
+  else if (from > first)
+    from -= 2;
+  note.erase(from, to - from);
+  return note.size() == first ? std::string() : note;
+}
+
 /// The figure of the object's file, where it is one. `placement`: from the file to the scene's world.
 void take_figure(const FigureRequest& request, const std::function<Eigen::Affine3d()>& placement,
                  X3dSubject& subject) {
@@ -99,10 +115,9 @@ void take_figure(const FigureRequest& request, const std::function<Eigen::Affine
     return;
   }
   subject.figure = std::move(read.figure);
-  if (!subject.figure->times_s.empty())
-    std::erase_if(subject.notes, [](const std::string& note) {
-      return note.ends_with(": left out: 1 animation (everything is shown at rest)");
-    });
+  if (subject.figure->times_s.empty()) return;
+  for (std::string& note : subject.notes) note = without_rest(std::move(note));
+  std::erase_if(subject.notes, [](const std::string& note) { return note.empty(); });
 }
 
 bool names_joint(std::string_view node) {

@@ -1,13 +1,12 @@
 #include "raytracer/scene/animation_times.h"
 
-#include <algorithm>
 #include <string>
 #include <utility>
 
 namespace seamline::renderer {
 namespace {
 
-constexpr double spline_step_s = 1.0 / 60, longest_s = 3600;  ///< after that, keys alone
+constexpr int steps_a_second = 60, most_steps = 3600 * steps_a_second;  ///< after that, keys alone
 
 /// The targets of its channels that place nodes, each with the channel.
 std::vector<std::pair<const GltfJson*, const GltfJson*>> placing_channels(const GltfJson& animation) {
@@ -48,8 +47,9 @@ std::vector<double> animation_times_s(const GltfJson& animation, const GltfReade
       times_s.insert(time_s);
   }
   if (bends && times_s.size() > 1) {
-    const double first_s = *times_s.begin(), last_s = std::min(*times_s.rbegin(), first_s + longest_s);
-    for (double time_s = first_s; time_s < last_s; time_s += spline_step_s) times_s.insert(time_s);
+    const double first_s = *times_s.begin(), last_s = *times_s.rbegin();
+    for (int i = 1; i < most_steps && first_s + static_cast<double>(i) / steps_a_second < last_s; ++i)
+      times_s.insert(first_s + static_cast<double>(i) / steps_a_second);
   }
   return {times_s.begin(), times_s.end()};
 }

@@ -68,8 +68,9 @@ struct FigureRead {
 };
 
 /// Reads the joints, the skin and the keys of the moment's animation, else of the first. Between keys turns
-/// go the shorter way and places along lines; steps and splines are read 60 times a second. Throws InputError
-/// as `read_scene_moment` does, which has read the file before.
+/// go the shorter way and places along lines; steps and splines are read 60 times a second. The moment's
+/// nodes stand where it places them meanwhile. What only the figure needs and the file has wrong is why there
+/// is none; the file itself must be one that `read_scene_moment` has read before, else InputError.
 [[nodiscard]] FigureRead read_figure(const FigureRequest& request);
 
 }  // namespace seamline::renderer

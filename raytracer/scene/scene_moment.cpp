@@ -6,7 +6,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "raytracer/scene/gltf/gltf_accessor.h"
@@ -64,53 +66,79 @@ Eigen::VectorXd value_at(const ChannelKeys& keys, double time_s) {
   return keys.turns ? turned_between(from, to, share) : Eigen::VectorXd(from + share * (to - from));
 }
 
-/// Moves the nodes of one animation.
-class Animator {
+/// What moves a node.
+struct Channel {
+  std::int64_t node = 0;
+  std::string path, where;
+  ChannelKeys keys;
+};
+
+InputError bad_channel(const std::string& file, const std::string& field, const std::string& wanted,
+                       const std::string& found) {
+  return input_error({.file = file, .field = field, .wanted = wanted, .found = found});
+}
+
+void move(const Channel& channel, const std::string& file, double time_s, tinygltf::Model& model) {
+  tinygltf::Node& node = model.nodes[static_cast<std::size_t>(channel.node)];
+  const Eigen::VectorXd value = value_at(channel.keys, time_s);
+  if (!value.allFinite()) throw bad_channel(file, channel.where, "finite values between its keys", "others");
+  const Values numbers(value.begin(), value.end());
+  if (channel.path == "weights") {
+    node.weights = numbers;
+    return;
+  }
+  if (!node.matrix.empty())
+    throw bad_channel(file, fmt::format("nodes[{}]", channel.node),
+                      "translation, rotation and scale, because it is animated", "a matrix");
+  (channel.path == "translation" ? node.translation
+   : channel.path == "rotation"  ? node.rotation
+                                 : node.scale) = numbers;
+}
+
+/// Reads the channels of one animation.
+class ChannelReader {
  public:
-  Animator(const std::string& file, tinygltf::Model& model, LeftOut& left_out)
+  ChannelReader(const std::string& file, const tinygltf::Model& model, LeftOut& left_out)
       : file_(file), model_(model), reader_(model, file), left_out_(left_out) {}
 
-  void move(const GltfJson& animation, const std::string& where, double time_s) {
+  /// Calls `take` with one after the other.
+  void read(const GltfJson& animation, const std::string& where,
+            const std::function<bool(const std::string& path)>& wants,
+            const std::function<void(Channel)>& take) {
     const GltfJson *channels = member(animation, "channels"), *samplers = member(animation, "samplers");
     if (channels == nullptr || !channels->is_array() || samplers == nullptr || !samplers->is_array())
       throw bad(where, "channels and samplers", "something else");
     for (std::size_t c = 0; c < channels->size(); ++c)
-      move_one((*channels)[c], *samplers, fmt::format("{}.channels[{}]", where, c), time_s);
+      if (auto channel = read_one((*channels)[c], *samplers, fmt::format("{}.channels[{}]", where, c), wants))
+        take(std::move(*channel));
   }
 
  private:
   [[nodiscard]] InputError bad(const std::string& field, const std::string& wanted,
                                const std::string& found) const {
-    return input_error({.file = file_, .field = field, .wanted = wanted, .found = found});
+    return bad_channel(file_, field, wanted, found);
   }
 
-  void move_one(const GltfJson& channel, const GltfJson& samplers, const std::string& where, double time_s) {
+  std::optional<Channel> read_one(const GltfJson& channel, const GltfJson& samplers, const std::string& where,
+                                  const std::function<bool(const std::string& path)>& wants) {
     const GltfJson* target = member(channel, "target");
     if (target == nullptr || !target->is_object()) throw bad(where, "a target", "none");
     const std::string path = text_of(*target, "path");
+    if (!wants(path)) return std::nullopt;
     if (path == "pointer") {
       left_out_.insert("animated properties other than places, turns, sizes and morph weights");
-      return;
+      return std::nullopt;
     }
     const std::int64_t index = whole_number(*target, "node", -1);
-    if (index < 0) return;  // as the specification wants it
+    if (index < 0) return std::nullopt;  // as the specification wants it
     if (std::cmp_greater_equal(index, model_.nodes.size()))
       throw bad(where + ".target.node", "a node that exists", std::to_string(index));
-    tinygltf::Node& node = model_.nodes[index];
+    const tinygltf::Node& node = model_.nodes[index];
     const std::int64_t sampler = whole_number(channel, "sampler", -1);
     if (sampler < 0 || std::cmp_greater_equal(sampler, samplers.size()))
       throw bad(where + ".sampler", "a sampler that exists", std::to_string(sampler));
-    const Eigen::VectorXd value = value_at(keys_of(samplers[sampler], path, node, where), time_s);
-    if (!value.allFinite()) throw bad(where, "finite values between its keys", "others");
-    const Values numbers(value.begin(), value.end());
-    if (path == "weights") {
-      node.weights = numbers;
-      return;
-    }
-    if (!node.matrix.empty())
-      throw bad(fmt::format("nodes[{}]", index), "translation, rotation and scale, because it is animated",
-                "a matrix");
-    (path == "translation" ? node.translation : path == "rotation" ? node.rotation : node.scale) = numbers;
+    return Channel{
+        .node = index, .path = path, .where = where, .keys = keys_of(samplers[sampler], path, node, where)};
   }
 
   /// How many numbers a channel has at a time.
@@ -158,13 +186,14 @@ class Animator {
   }
 
   const std::string& file_;
-  tinygltf::Model& model_;
+  const tinygltf::Model& model_;
   GltfReader reader_;
   LeftOut& left_out_;
 };
 
-/// Which animation of a file is meant: by its name, else by its number.
-std::size_t index_of(const std::string& name, const GltfJson& animations, const std::string& file) {
+}  // namespace
+
+std::size_t animation_index(const std::string& name, const GltfJson& animations, const std::string& file) {
   if (name.empty() && animations.size() == 1) return 0;
   std::string known;
   for (std::size_t i = 0; i < animations.size(); ++i) {
@@ -180,8 +209,6 @@ std::size_t index_of(const std::string& name, const GltfJson& animations, const 
                      .wanted = known.empty() ? "a file with animations" : "one of " + known,
                      .found = known.empty() ? "one without" : "another name"});
 }
-
-}  // namespace
 
 void place_nodes(const std::vector<PlacedNode>& nodes, const std::string& file, tinygltf::Model& model) {
   for (const PlacedNode& moved : nodes) {
@@ -215,9 +242,27 @@ void place_nodes(const std::vector<PlacedNode>& nodes, const std::string& file, 
 
 void pose_at(const FileMoment& moment, const GltfJson& animations, const std::string& file,
              tinygltf::Model& model, LeftOut& left_out) {
-  const std::size_t index = index_of(moment.animation, animations, file);
-  Animator(file, model, left_out)
-      .move(animations[index], fmt::format("animations[{}]", index), moment.time_s);
+  const std::size_t index = animation_index(moment.animation, animations, file);
+  ChannelReader(file, model, left_out)
+      .read(
+          animations[index], fmt::format("animations[{}]", index), [](const std::string&) { return true; },
+          [&](const Channel& channel) { move(channel, file, moment.time_s, model); });
+}
+
+NodeMotion node_motion(std::size_t index, const GltfJson& animations, const std::string& file,
+                       const tinygltf::Model& model) {
+  std::vector<Channel> channels;
+  LeftOut unused;
+  ChannelReader(file, model, unused)
+      .read(
+          animations[index], fmt::format("animations[{}]", index),
+          [](const std::string& path) {
+            return path == "translation" || path == "rotation" || path == "scale";
+          },
+          [&](Channel channel) { channels.push_back(std::move(channel)); });
+  return [channels = std::move(channels), file](tinygltf::Model& moved, double time_s) {
+    for (const Channel& channel : channels) move(channel, file, time_s, moved);
+  };
 }
 
 }  // namespace seamline::renderer

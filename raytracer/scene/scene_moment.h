@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,5 +34,18 @@ void place_nodes(const std::vector<PlacedNode>& nodes, const std::string& file, 
 /// wrong: an animation that does not exist, times that do not rise, a node with a matrix.
 void pose_at(const FileMoment& moment, const GltfJson& animations, const std::string& file,
              tinygltf::Model& model, LeftOut& left_out);
+
+/// Which animation of a file is meant: the first of that name, else the one of that number; without a name
+/// the only one. Throws InputError where there is none.
+[[nodiscard]] std::size_t animation_index(const std::string& name, const GltfJson& animations,
+                                          const std::string& file);
+
+/// Puts nodes where an animation has them at a time, as `pose_at` does.
+using NodeMotion = std::function<void(tinygltf::Model& model, double time_s)>;
+
+/// The places, turns and sizes of an animation, whose keys are read once; morph weights stay. Throws
+/// InputError as `pose_at` does, some of it only when nodes are put.
+[[nodiscard]] NodeMotion node_motion(std::size_t index, const GltfJson& animations, const std::string& file,
+                                     const tinygltf::Model& model);
 
 }  // namespace seamline::renderer

@@ -22,6 +22,7 @@ namespace seamline::renderer {
 namespace {
 
 using test::bytes_of;
+using testing::AnyOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
@@ -72,6 +73,17 @@ class X3dArm : public testing::Test {
     write_file_atomically(folder_ / "arm.bin", buffer_);
     write_file_atomically(folder_ / "arm.gltf", text);
     return folder_ / "arm.gltf";
+  }
+
+  /// The same file with another text in a place of it.
+  static void edit(const std::filesystem::path& file, const std::string& from, const std::string& to) {
+    std::string text = read_file(file);
+    ASSERT_NE(text.find(from), std::string::npos) << from;
+    write_file_atomically(file, text.replace(text.find(from), from.size(), to));
+  }
+  /// Nodes behind those of the arm, which no scene shows.
+  static void add_nodes(const std::filesystem::path& file, const std::string& nodes) {
+    edit(file, R"({"mesh":1,"skin":0})", R"({"mesh":1,"skin":0},)" + nodes);
   }
 
   [[nodiscard]] static FigureRead read(const std::filesystem::path& file) {
@@ -151,7 +163,7 @@ std::vector<Eigen::Vector3d> carried(const X3dFigure& figure, const std::vector<
 
 /// Largest distance from what `read_scene_moment` has at a time.
 double off_m(const std::filesystem::path& file, const X3dSubject& subject, const X3dFigure& figure,
-             double time_s, double fraction) {
+             double time_s, double fraction, const std::vector<PlacedNode>& nodes = {}) {
   std::vector<X3dJointPlace> places;
   for (const X3dJoint& joint : figure.joints)
     places.push_back(fraction < 0 ? joint.place : between(joint, figure.fractions, fraction));
@@ -159,7 +171,7 @@ double off_m(const std::filesystem::path& file, const X3dSubject& subject, const
   const SceneFile moment = fraction < 0
                                ? read_scene_file(file)
                                : read_scene_moment(file, MaterialModel::diffuse, Transparency::refused,
-                                                   FileMoment{"Wave", time_s});
+                                                   FileMoment{"Wave", time_s, true, nodes});
   double most_m = 0;
   std::size_t at = 0;
   for (const FileMesh& mesh : moment.meshes)
@@ -213,6 +225,117 @@ TEST_F(X3dArm, SaysWhyItStandsStill) {
   EXPECT_THAT(why_no_x3d_figure(*read.figure, Eigen::Affine3d::Identity()), HasSubstr("sheared"));
 }
 
+/// Nodes from 5 on, each below the one before, named as joints.
+std::string chain(int count) {
+  std::string nodes;
+  for (int i = 0; i < count; ++i)
+    nodes += fmt::format(R"({}{{"name":"{}"{}}})", i > 0 ? "," : "", i % 2 == 0 ? "head" : "left_knee",
+                         i + 1 < count ? fmt::format(R"(,"children":[{}])", 6 + i) : "");
+  return nodes;
+}
+
+TEST_F(X3dArm, HasAnEndWhereNoStepIsLeftBetweenTimes) {
+  const auto file = arm(arm_skin, "STEP");
+  edit(folder_ / "arm.bin", bytes_of<float>({0.5F, 1, 2}), bytes_of<float>({1e17F, 2e17F, 3e17F}));
+  const FigureRead read = X3dArm::read(file);
+  ASSERT_TRUE(read.figure) << read.why_not;
+  EXPECT_LT(read.figure->times_s.size(), 216'003U);
+}
+
+TEST_F(X3dArm, HasNoJointsThatNoSceneShows) {
+  const auto file = arm(arm_skin);
+  const std::size_t joints = X3dArm::read(file).figure->joints.size();
+  add_nodes(file, chain(2000));
+  const FigureRead read = X3dArm::read(file);
+  ASSERT_TRUE(read.figure) << read.why_not;
+  EXPECT_EQ(read.figure->joints.size(), joints);
+}
+
+TEST_F(X3dArm, StandsStillWhereTheJointsOfItsSkinAreNoTree) {
+  auto file = arm(arm_skin);
+  add_nodes(file, chain(400));
+  std::string all = "0";
+  for (int node = 5; node < 405; ++node) all += "," + std::to_string(node);
+  edit(file, R"("joints":[1,2],"inverseBindMatrices":4)", R"("joints":[)" + all + "]");
+  FigureRead read = X3dArm::read(file);
+  EXPECT_FALSE(read.figure);
+  EXPECT_THAT(read.why_not, HasSubstr("nested too deep"));
+
+  for (const char* joints : {R"("joints":[5,6])", R"("joints":[404])"}) {
+    buffer_.clear(), views_.clear(), accessors_.clear(), number_ = 0;
+    file = arm(arm_skin);
+    add_nodes(file,
+              std::string(joints).ends_with("6]") ? R"({"children":[6]},{"children":[5]})" : chain(400));
+    edit(file, R"("joints":[1,2],"inverseBindMatrices":4)", joints);
+    read = X3dArm::read(file);
+    EXPECT_FALSE(read.figure);
+    EXPECT_THAT(read.why_not, AnyOf(HasSubstr("no tree"), HasSubstr("nested too deep")));
+  }
+}
+
+TEST_F(X3dArm, CarriesWhatIsFlatOrHangsOnAJointOfNoSize) {
+  for (const char* elbow : {R"("children":[3,5])", R"("scale":[0,0,0],"children":[3,5])"}) {
+    const auto file = arm(arm_skin);
+    edit(file, R"("children":[3])", elbow);
+    add_nodes(file, R"({"mesh":1,"scale":[1,1,0]})");
+    FigureRead read = X3dArm::read(file);
+    ASSERT_TRUE(read.figure) << read.why_not;
+    EXPECT_EQ(why_no_x3d_figure(*read.figure, Eigen::Affine3d::Identity()), "");
+    const X3dSubject subject = subject_of(file, std::move(*read.figure));
+    const X3dFigure figure = x3d_figure(subject, all_open(subject));
+    for (const Eigen::Vector3f& normal : figure.normals) EXPECT_TRUE(normal.allFinite());
+    EXPECT_LT(off_m(file, subject, figure, 0, -1), 2e-6);
+    EXPECT_LT(off_m(file, subject, figure, 1.25, 0.5), 2e-6);
+    buffer_.clear(), views_.clear(), accessors_.clear(), number_ = 0;
+  }
+}
+
+TEST_F(X3dArm, HangsOnItsFirstJointWithoutWeights) {
+  const auto file = arm(arm_skin);
+  edit(folder_ / "arm.bin", bytes_of<float>({1, 0, 0, 0, 0.5F, 0.5F, 0, 0, 1, 0, 0, 0}),
+       std::string(48, '\0'));
+  edit(folder_ / "arm.bin", bytes_of<std::uint8_t>({0, 1, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0}),
+       bytes_of<std::uint8_t>({0, 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}));
+  FigureRead read = X3dArm::read(file);
+  ASSERT_TRUE(read.figure) << read.why_not;
+  const X3dSubject subject = subject_of(file, std::move(*read.figure));
+  EXPECT_LT(off_m(file, subject, x3d_figure(subject, all_open(subject)), 1.25, 0.5), 2e-6);
+  edit(file, R"(,"WEIGHTS_0":3)", "");
+  EXPECT_THAT(X3dArm::read(file).why_not, HasSubstr("no weights"));
+}
+
+TEST_F(X3dArm, StandsStillWhereItsAnimationCannotBeRead) {
+  const auto file = arm(arm_skin);
+  edit(file, R"("output":6)", R"("output":60)");
+  const FigureRead read = X3dArm::read(file);
+  EXPECT_FALSE(read.figure);
+  EXPECT_THAT(read.why_not, HasSubstr("animations[0]"));
+}
+
+TEST_F(X3dArm, MovesFromWhereItsNodesArePlaced) {
+  const auto file = arm(arm_skin);
+  const std::vector<PlacedNode> nodes = {{"LeftForeArm", {0, 9, 0}, {0, 0, 40}}};
+  for (const bool is_animated : {false, true}) {
+    FigureRead read = read_figure({.path = file, .moment = FileMoment{"Wave", 0.5, is_animated, nodes}});
+    ASSERT_TRUE(read.figure) << read.why_not;
+    ASSERT_EQ(why_no_x3d_figure(*read.figure, Eigen::Affine3d::Identity()), "");
+    const X3dSubject subject = subject_of(file, std::move(*read.figure));
+    const X3dFigure figure = x3d_figure(subject, all_open(subject));
+    for (const double fraction : {0.0, 1.0 / 3, 1.0})
+      EXPECT_LT(off_m(file, subject, figure, 0.5 + 1.5 * fraction, fraction, nodes), 2e-6) << fraction;
+  }
+}
+
+TEST_F(X3dArm, PlaysTheAnimationThatTheMomentMeans) {
+  const auto file = arm(arm_skin);
+  edit(file, R"("animations":[{"name":"Wave")",
+       R"("animations":[{"name":"1","channels":[{"sampler":0,"target":{"node":1,"path":"rotation"}}],)"
+       R"("samplers":[{"input":5,"output":6}]},{"name":"Wave")");
+  const FigureRead read = read_figure({.path = file, .moment = FileMoment{"1", 1}});
+  ASSERT_TRUE(read.figure) << read.why_not;
+  EXPECT_EQ(read.figure->animation, "1");
+}
+
 TEST_F(X3dArm, IsWrittenAsAHumanoidWithRoutes) {
   const auto file = arm(arm_skin);
   const X3dSubject subject = subject_of(file, *X3dArm::read(file).figure);
@@ -224,9 +347,9 @@ TEST_F(X3dArm, IsWrittenAsAHumanoidWithRoutes) {
                    [](std::size_t) { return std::string("<appearance></appearance>"); });
   for (const char* piece :
        {"<HAnimHumanoid id=\"figure\"", "name=\"l_elbow\"", "containerField=\"skeleton\"",
-        "skinCoordWeight=\"1 0.5 \"", "<HAnimSegment DEF=\"hanim_l_forearm\"",
-        "<OrientationInterpolator DEF=\"hanim_l_elbow_rotation\"",
-        "toNode=\"hanim_l_elbow\" toField=\"rotation\"", "toNode=\"hanim_l_radiocarpal\" toField=\"scale\""})
+        "skinCoordWeight=\"1 0.5 \"", "<HAnimSegment DEF=\"segment_l_forearm\"",
+        "<OrientationInterpolator DEF=\"rotation_l_elbow\"", "toNode=\"hanim_l_elbow\" toField=\"rotation\"",
+        "toNode=\"hanim_l_radiocarpal\" toField=\"scale\""})
     EXPECT_THAT(text, HasSubstr(piece));
   EXPECT_THAT(text, Not(HasSubstr("nan")));
 }
@@ -241,6 +364,8 @@ TEST(HanimNames, AreTheJointsThatNodesSay) {
   EXPECT_THAT(hanim_joints({"hips", "LeftShoulder", "LeftArm", "left_upper_arm", "7 of\"9"}),
               ElementsAre("humanoid_root", "LeftShoulder", "l_shoulder", "left_upper_arm", "joint_7_of_9"));
   EXPECT_THAT(hanim_joints({"", "", "right_shoulder"}), ElementsAre("humanoid_root", "joint", "r_shoulder"));
+  EXPECT_THAT(hanim_joints({"", "a", "a", "a_2", "a"}),
+              ElementsAre("humanoid_root", "a", "a_2", "a_2_2", "a_3"));
   EXPECT_EQ(hanim_segment("l_hip"), "l_thigh");
   EXPECT_EQ(hanim_segment("LeftShoulder"), "");
 }

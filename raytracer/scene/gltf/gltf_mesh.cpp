@@ -14,14 +14,6 @@
 namespace seamline::renderer {
 namespace {
 
-/// What normals are multiplied with: of a transform that mirrors, its sign is that of the surface's own side.
-Eigen::Matrix3d normals_transform(const Eigen::Matrix3d& linear) {
-  const Eigen::Matrix3d cofactor = (Eigen::Matrix3d() << linear.col(1).cross(linear.col(2)),
-                                    linear.col(2).cross(linear.col(0)), linear.col(0).cross(linear.col(1)))
-                                       .finished();
-  return linear.determinant() < 0 ? Eigen::Matrix3d(-cofactor) : cofactor;
-}
-
 std::vector<Triangle> triangles_of(const std::vector<std::uint32_t>& corners, int mode) {
   std::vector<Triangle> triangles;
   if (mode == TINYGLTF_MODE_TRIANGLES) {
@@ -44,6 +36,13 @@ int mode_of(const tinygltf::Primitive& primitive) {
 }
 
 }  // namespace
+
+Eigen::Matrix3d normals_transform(const Eigen::Matrix3d& linear) {
+  const Eigen::Matrix3d cofactor = (Eigen::Matrix3d() << linear.col(1).cross(linear.col(2)),
+                                    linear.col(2).cross(linear.col(0)), linear.col(0).cross(linear.col(1)))
+                                       .finished();
+  return linear.determinant() < 0 ? Eigen::Matrix3d(-cofactor) : cofactor;
+}
 
 InputError GltfMeshes::bad(const std::string& field, const std::string& wanted,
                            const std::string& found) const {

@@ -17,6 +17,9 @@ struct Primitive;
 
 namespace seamline::renderer {
 
+/// What normals are multiplied with: of a transform that mirrors, its sign is that of the surface's own side.
+[[nodiscard]] Eigen::Matrix3d normals_transform(const Eigen::Matrix3d& linear);
+
 /// Reads the meshes that nodes place, into world space: with their skins and morph weights at rest, once for
 /// each instance.
 class GltfMeshes {
