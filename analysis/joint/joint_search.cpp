@@ -70,6 +70,14 @@ void place_thresholds(const JointModel& model, const JointCounts& counts, Eigen:
   }
 }
 
+/// A move changes every parameter. Beside very many of them it hardly ever ends at a higher top, and each
+/// climb takes the cube of their number.
+int moves_of(const JointModel& model) {
+  constexpr double few_parameters = 100;
+  const double share = std::min(1.0, few_parameters / static_cast<double>(model.parameters()));
+  return static_cast<int>(most_moves * share * share * share);
+}
+
 std::vector<Eigen::VectorXd> starts_of(const JointModel& model, const JointCounts& counts) {
   std::vector<Eigen::VectorXd> starts;
   for (const double factor : scale_factors)
@@ -122,7 +130,8 @@ std::optional<Eigen::VectorXd> maximise_joint(const JointModel& model, const Joi
   for (const Eigen::VectorXd& start : starts_of(model, counts)) climb_from(start);
   if (!best || !(highest - lowest > same_height)) return best;
   Random random(static_cast<std::uint64_t>(model.parameters()), 0);
-  for (int move = 0; move < most_moves; ++move) {
+  const int moves = moves_of(model);
+  for (int move = 0; move < moves; ++move) {
     Eigen::VectorXd start = *best;
     for (double& value : start)
       value += move_sd[static_cast<std::size_t>(move) % move_sd.size()] * random.normal();
