@@ -313,7 +313,7 @@ Manifest read_manifest(const std::filesystem::path& set_folder) {
   manifest.height_px = fields.number("height_px", 1, limits::largest_picture_side_px);
   for (const Json& item : fields.array("references")) {
     const SetFields reference(item, path.string(),
-                               "references[" + std::to_string(manifest.references.size()) + "].");
+                              "references[" + std::to_string(manifest.references.size()) + "].");
     manifest.references.push_back(
         {read_truth(reference, "scene"), reference.file_below("image"), reference.file_below("object_ids"),
          reference.get<std::string>("image_sha256"), reference.get<std::string>("object_ids_sha256"),
