@@ -100,7 +100,7 @@ EvidencePage scale_page() {
                      .heading = "command",
                      .row_of = {"command"},
                      .columns = {}};
-  for (const char* stimuli : {"1200", "4800", "19920"})
+  for (const char* stimuli : {"1200", "5040", "19920"})
     for (const auto& [column, unit] : {std::pair{"processor s", " s"}, std::pair{"memory, MB", " MB"}})
       wide.columns.push_back({.heading = std::string(stimuli) + " stimuli," + unit,
                               .of = column,
