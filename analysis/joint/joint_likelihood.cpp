@@ -1,78 +1,14 @@
 #include "analysis/joint/joint_likelihood.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
-#include "analysis/joint/joint_jets.h"
+#include "analysis/joint/joint_cell.h"
 
 namespace seamline::analysis {
 
 namespace {
-
-/// Log likelihood of one curve's cells, with derivatives by its own coordinates.
-struct CurveSum {
-  double value = 0;
-  CurveVector gradient = CurveVector::Zero();
-  CurveMatrix hessian = CurveMatrix::Zero();
-  std::array<double, most_joint_ratings> guesses{};  ///< answers that can only be guesses, by rating
-};
-
-using Counts = Eigen::Ref<const Eigen::VectorXd>;
-
-/// Answers of one cell. Wrong ones are (1 - psi) (1 - b) g(r); what depends on g alone is added once a curve.
-void add_cell(const CurveTerms& terms, const JointCell& cell, const Counts& counts, CurveSum& sum) {
-  const int ratings = terms.curve.ratings;
-  const double wrong = counts.tail(ratings).sum(), b = cell.chance;
-  sum.value += wrong * std::log(1 - b);
-  for (int r = 0; r < ratings; ++r) sum.guesses[r] += counts[ratings + r];
-  if (!std::isfinite(cell.x)) {
-    for (int r = 0; r < ratings; ++r) sum.guesses[r] += counts[r];
-    sum.value += counts.head(ratings).sum() * std::log(b);
-    return;
-  }
-  const LevelJets level = level_jets(terms, cell.x);
-  const Jet& seen = level.seen;
-  const double unseen = level.unseen;
-  if (wrong > 0) {
-    sum.value += wrong * std::log(unseen);
-    sum.gradient -= (wrong / unseen) * seen.d;
-    sum.hessian -= (wrong / unseen) * seen.dd + (wrong / (unseen * unseen)) * seen.d * seen.d.transpose();
-  }
-  for (int r = 0; r < ratings; ++r) {
-    if (!(counts[r] > 0)) continue;
-    const Jet &q = level.q[r], &g = terms.guess[r];
-    const double p = std::max(least_probability, seen.value * q.value + unseen * b * g.value);
-    const double weight = counts[r] / p, difference = q.value - b * g.value;
-    const CurveVector d = difference * seen.d + seen.value * q.d + unseen * b * g.d;
-    const CurveVector mixed = q.d - b * g.d;
-    sum.value += counts[r] * std::log(p);
-    sum.gradient += weight * d;
-    sum.hessian += weight * (difference * seen.dd + seen.d * mixed.transpose() + mixed * seen.d.transpose() +
-                             seen.value * q.dd + unseen * b * g.dd) -
-                   (weight / p) * d * d.transpose();
-  }
-}
-
-/// sum_r n_r log g(r).
-void add_guesses(const JointCurve& curve, const std::array<double, most_joint_ratings>& counts,
-                 CurveSum& sum) {
-  double all = 0;
-  for (int r = 0; r < curve.ratings; ++r) {
-    const auto place = static_cast<std::size_t>(r);
-    all += counts[place];
-    if (counts[place] > 0) sum.value += counts[place] * std::log(std::max(least_probability, curve.g[place]));
-  }
-  for (Eigen::Index i = 0; i < curve.ratings - 1; ++i) {
-    const double gi = curve.g[i + 1];
-    sum.gradient[at_guess + i] += counts[i + 1] - all * gi;
-    for (Eigen::Index j = 0; j < curve.ratings - 1; ++j) {
-      const double gj = curve.g[j + 1];
-      sum.hessian(at_guess + i, at_guess + j) -= all * ((i == j ? gi : 0) - gi * gj);
-    }
-  }
-}
 
 void spread_into(const CurveTerms& terms, const CurveSum& sum, Evaluation& total) {
   total.value += sum.value;
@@ -103,12 +39,6 @@ void pull(Evaluation& penalty, const Eigen::VectorXd& theta, Eigen::Index at, do
 constexpr double threshold_sd_ranges = 2, log_scale_sd = 1.5, lapse_centre = -1, lapse_sd = 1.5, cut_sd = 4,
                  distance_sd = 1.5, spread_sd = 1, scales_in_range = 7, guess_answers = 0.5;
 
-/// Scores of one outcome of a cell, written into the places of a row of theta.
-void write_score(const CurveTerms& terms, const CurveVector& d, Eigen::Ref<Eigen::VectorXd> score) {
-  for (std::size_t i = 0; i < terms.to.size(); ++i)
-    if (terms.to[i] >= 0) score[terms.to[i]] = d[static_cast<Eigen::Index>(i)];
-}
-
 }  // namespace
 
 JointCounts all_counts(const JointData& data) {
@@ -128,7 +58,7 @@ Evaluation joint_likelihood(const JointModel& model, const JointCounts& counts,
   std::size_t c = 0;
   for (int curve = 0; curve < model.curves; ++curve) {
     const CurveTerms terms = terms_of(model, theta, curve);
-    CurveSum sum;
+    CellSum sum;
     for (; c < model.cells.size() && model.cells[c].curve == curve; ++c) {
       const auto of_cell = counts.cells.segment(static_cast<Eigen::Index>(c) * width, width);
       if ((of_cell.array() > 0).any()) add_cell(terms, model.cells[c], of_cell, sum);
@@ -136,8 +66,7 @@ Evaluation joint_likelihood(const JointModel& model, const JointCounts& counts,
     // Nobody's curve is shown in a reference trial: where curves have their own guess ratings each has a
     // share.
     for (int r = 0; r < model.ratings; ++r) sum.guesses[r] += counts.references[r] / model.curves;
-    add_guesses(terms.curve, sum.guesses, sum);
-    spread_into(terms, sum, total);
+    spread_into(terms, curve_sum(terms, sum), total);
   }
   return total;
 }
@@ -148,21 +77,19 @@ Eigen::MatrixXd outcome_scores(const JointModel& model, const Eigen::VectorXd& t
       Eigen::MatrixXd::Zero(model.parameters(), static_cast<Eigen::Index>(model.cells.size()) * width);
   std::vector<CurveTerms> curves;
   for (int curve = 0; curve < model.curves; ++curve) curves.push_back(terms_of(model, theta, curve));
+  Eigen::VectorXd once = Eigen::VectorXd::Zero(width);  // one answer
   for (std::size_t c = 0; c < model.cells.size(); ++c) {
-    const JointCell& cell = model.cells[c];
-    const CurveTerms& terms = curves[cell.curve];
-    const bool visible = std::isfinite(cell.x);
-    const LevelJets level = visible ? level_jets(terms, cell.x) : LevelJets{.seen = {}, .unseen = 1, .q = {}};
-    for (Eigen::Index r = 0; r < model.ratings; ++r) {
-      const Jet &q = level.q[r], &g = terms.guess[r];
-      const double b = cell.chance, guessed = level.unseen * b,
-                   p = std::max(least_probability, level.seen.value * q.value + guessed * g.value);
-      const Eigen::Index right = static_cast<Eigen::Index>(c) * width + r;
-      write_score(terms,
-                  ((q.value - b * g.value) * level.seen.d + level.seen.value * q.d + guessed * g.d) / p,
-                  scores.col(right));
-      write_score(terms, g.d / std::max(least_probability, g.value) - level.seen.d / level.unseen,
-                  scores.col(right + model.ratings));
+    const CurveTerms& terms = curves[model.cells[c].curve];
+    for (Eigen::Index outcome = 0; outcome < width; ++outcome) {
+      once[outcome] = 1;
+      CellSum sum;
+      add_cell(terms, model.cells[c], once, sum);
+      once[outcome] = 0;
+      const auto score = curve_gradient(terms, sum);
+      for (std::size_t i = 0; i < terms.to.size(); ++i)
+        if (terms.to[i] >= 0)
+          scores(terms.to[i], static_cast<Eigen::Index>(c) * width + outcome) =
+              score[static_cast<Eigen::Index>(i)];
     }
   }
   return scores;
@@ -228,11 +155,10 @@ Evaluation joint_penalty(const JointModel& model, const Eigen::VectorXd& theta) 
       at(model.log_spread(curve), spread_sd);
     }
     if (!first(model.sharing.guess_ratings, curve)) continue;
-    CurveSum half;
+    CellSum half;
     half.guesses.fill(guess_answers);
     const CurveTerms terms = terms_of(model, theta, curve);
-    add_guesses(terms.curve, half.guesses, half);
-    spread_into(terms, half, penalty);
+    spread_into(terms, curve_sum(terms, half), penalty);
   }
   return penalty;
 }

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "analysis/joint/joint_jets.h"
+#include "analysis/joint/joint_cell.h"
 #include "analysis/joint/joint_placed.h"
 #include "analysis/joint/joint_thresholds.h"
 #include "analysis/statistics/distributions.h"

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
+#include <boost/sort/spreadsort/float_sort.hpp>
 #include <cassert>
 #include <cmath>
 #include <cstdint>
@@ -17,6 +18,7 @@ namespace seamline::analysis {
 namespace {
 
 constexpr int lattice_points = 16384;
+constexpr int points_at_once = 256;
 constexpr int shares = 256;  ///< of the sphere, that one tail is computed for
 
 /// The prime numbers in order.
@@ -66,17 +68,19 @@ MaxAbsT::MaxAbsT(const Eigen::MatrixXd& correlation, double degrees_of_freedom)
   assert(correlation.rows() > 0 && correlation.rows() == correlation.cols());
   const Eigen::MatrixXd root = root_of(correlation);
   dimension_ = root.cols();
-  std::vector<const Eigen::VectorXd*> axes;
-  for (Eigen::Index d = 0; d < dimension_; ++d) axes.push_back(&lattice_axis(d));
   std::vector<double> all(lattice_points);
-  Eigen::VectorXd direction(dimension_), contrasts(count_);
-  for (int point = 0; point < lattice_points; ++point) {
-    for (Eigen::Index d = 0; d < dimension_; ++d) direction[d] = (*axes[d])[point];
-    const double length = direction.norm();
-    contrasts.noalias() = root * direction;
-    all[point] = length > 0 ? contrasts.cwiseAbs().maxCoeff() / length : 0;
+  Eigen::MatrixXd directions(points_at_once, dimension_), contrasts(points_at_once, count_);
+  for (int first = 0; first < lattice_points; first += points_at_once) {
+    for (Eigen::Index d = 0; d < dimension_; ++d)
+      directions.col(d) = lattice_axis(d).segment(first, points_at_once);
+    contrasts.noalias() = directions * root.transpose();
+    Eigen::Map<Eigen::ArrayXd> greatest(all.data() + first, points_at_once);
+    greatest = contrasts.col(0).array().abs();
+    for (Eigen::Index j = 1; j < count_; ++j) greatest = greatest.max(contrasts.col(j).array().abs());
+    const Eigen::ArrayXd length = directions.rowwise().norm();
+    greatest = (length > 0).select(greatest / length, 0);
   }
-  std::sort(all.begin(), all.end());
+  boost::sort::spreadsort::float_sort(all.begin(), all.end());
   constexpr int per_share = lattice_points / shares;
   for (int share = 0; share < shares; ++share) {
     double sum = 0;
