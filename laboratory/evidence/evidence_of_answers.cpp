@@ -201,10 +201,10 @@ EvidenceTable coverage_of_shared_curves() {
 EvidencePage joint_model_page() {
   return {.name = "joint_model_checks",
           .shows = "the joint model on real people, and where curves differ",
-          .takes = "1 hour",
+          .takes = "5 minutes",
           .needs = tests_needed,
           .steps = {{"sharing",
-                     "SEAMLINE_TRUE_STUDIES=200 tests/analysis_full_tests --gtest_filter=SharingCoverage.*",
+                     "SEAMLINE_TRUE_STUDIES=1000 tests/analysis_full_tests --gtest_filter=SharingCoverage.*",
                      Printed::progress},
                     {"real_people", "tests/analysis_quick_tests --gtest_filter=RealPeople.*:JointMaxima.*"}},
           .small_steps = {{"real_people",

@@ -62,7 +62,7 @@ std::string times_text(const std::vector<TimedFrame>& frames) {
       text += fmt::format("  {:<12}{:>8.2f} ms  {:5.1f} %\n", word(static_cast<FrameStage>(i)), ms,
                           100 * ms / total_ms);
   }
-  return text + fmt::format("  {:<12}{:>8.2f} ms  {:.1f} frames a second (medians of {} frames)\n", "total",
+  return text + fmt::format("  {:<12}{:>8.2f} ms  {:.1f} frames a second\n  medians of {} frames\n", "total",
                             total_ms, 1000 / total_ms, frames.size());
 }
 

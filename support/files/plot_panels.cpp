@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <vector>
 
 #include "support/files/gnuplot.h"
 
@@ -44,9 +45,11 @@ std::string axis_text(char axis, const Range& range, bool falling) {
     return text + fmt::format("set {0}tics auto\nset format {0} '10^{{%T}}'\n", axis);
   std::string ticks;
   const int first = static_cast<int>(std::floor(std::log10(range.low)));
+  std::vector<double> digits = {1, 2, 5};
+  if (range.decades() > 2.2) digits = {1};
+  if (range.decades() < 0.5) digits = {1, 1.5, 2, 2.5, 3, 4, 5, 6, 7, 8, 9};
   for (int decade = first; decade <= first + 5; ++decade)
-    for (const double digit : {1.0, 2.0, 5.0}) {
-      if (digit != 1.0 && range.decades() > 2.2) continue;
+    for (const double digit : digits) {
       const double tick = digit * std::pow(10.0, decade);
       if (tick < range.low || tick > range.high) continue;
       ticks += fmt::format("{0}'{1:g}' {1:g}", ticks.empty() ? "" : ", ", tick);
