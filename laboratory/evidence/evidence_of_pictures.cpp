@@ -254,7 +254,7 @@ EvidencePage true_errors_page() {
                  "moving_bedroom,moving_objects"},
                 {"contact", "benchmarks/true_errors/contact SEAMLINE contact --csv contact.csv"}},
       .small_steps = {{"scenes",
-                       "benchmarks/true_errors/measure SEAMLINE scenes --csv told_and_true.csv --only rods "
+                       "benchmarks/true_errors/measure SEAMLINE scenes --csv told_and_true.csv --only thin_rods "
                        "--seeds 1 --truth-spp 8 --error 0.05"},
                       {"clips",
                        "benchmarks/true_errors/clips SEAMLINE clips --csv told_and_true_clips.csv --only "
