@@ -168,9 +168,14 @@ EvidencePage predictions_page() {
                 {"calibrated", "seamline predict set --calibrate"},
                 {"published_gain", "seamline predict set"},
                 {"studies", "benchmarks/predictions SEAMLINE studies --csv studies.csv", Printed::progress}},
-      .small_steps = {{"render", "seamline render stimuli/quick.toml --only *-lion-* --spp 1 --out set",
-                       Printed::progress},
-                      {"published_gain", "seamline predict set"}},
+      .small_steps =
+          {{"render", "seamline render stimuli/quick.toml --only *-lion-* --spp 1 --out set",
+            Printed::progress},
+           {"published_gain", "seamline predict set"},
+           {"studies",
+            "benchmarks/predictions SEAMLINE studies --csv studies.csv --only sensor_noise --width 64 "
+            "--spp 1 --people 4",
+            Printed::progress}},
       .shown = {"studies.csv"},
       .tables = {thresholds_of_studies()}};
 }
@@ -253,15 +258,16 @@ EvidencePage true_errors_page() {
                  "benchmarks/true_errors/clips SEAMLINE clips --csv told_and_true_clips.csv --only "
                  "moving_bedroom,moving_objects"},
                 {"contact", "benchmarks/true_errors/contact SEAMLINE contact --csv contact.csv"}},
-      .small_steps = {{"scenes",
-                       "benchmarks/true_errors/measure SEAMLINE scenes --csv told_and_true.csv --only thin_rods "
-                       "--seeds 1 --truth-spp 8 --error 0.05"},
-                      {"clips",
-                       "benchmarks/true_errors/clips SEAMLINE clips --csv told_and_true_clips.csv --only "
-                       "moving_bedroom --seeds 1 --truth-spp 8 --error 0.05 --frames 2 --size 32x18"},
-                      {"contact",
-                       "benchmarks/true_errors/contact SEAMLINE contact --csv contact.csv --only "
-                       "floor_overcast_linear --truth-spp 8 --error 0.05 --no-cycles"}},
+      .small_steps =
+          {{"scenes",
+            "benchmarks/true_errors/measure SEAMLINE scenes --csv told_and_true.csv --only thin_rods "
+            "--seeds 1 --truth-spp 8 --error 0.05"},
+           {"clips",
+            "benchmarks/true_errors/clips SEAMLINE clips --csv told_and_true_clips.csv --only "
+            "moving_bedroom --seeds 1 --truth-spp 8 --error 0.05 --frames 2 --size 32x18"},
+           {"contact",
+            "benchmarks/true_errors/contact SEAMLINE contact --csv contact.csv --only "
+            "floor_overcast_linear --truth-spp 8 --error 0.05 --no-cycles"}},
       .shown = {"told_and_true.csv", "by_scene.csv", "told_and_true_clips.csv", "by_clip.csv", "contact.csv"},
       .figures = {{"by_scene.csv", "told error over true error, over the seeds of a scene",
                    LabelledDots{

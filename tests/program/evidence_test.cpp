@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "laboratory/evidence/evidence_figure.h"
@@ -111,11 +112,25 @@ TEST(Evidence, EveryTestThatAStepNamesIsThere) {
           EXPECT_THAT(tests, HasSubstr("TEST(" + suite + ", ")) << page.name;
 }
 
+/// The table that a step is asked to write; empty where there is none.
+std::string table_of(const std::string& command) {
+  const std::string option = " --csv ";
+  const std::size_t at = command.find(option);
+  if (at == std::string::npos) return "";
+  return command.substr(at + option.size(), command.find(' ', at + option.size()) - at - option.size());
+}
+
 void expect_small_form(const std::string& page) {
   const fs::path out = test::fresh_folder("evidence-" + page);
   const test::Outcome outcome = test::run_built(remade(page, out));
   ASSERT_EQ(outcome.status, 0) << outcome.output;
   EXPECT_THAT(read_text(out / page / (page + ".md")), HasSubstr("This is the small form."));
+  for (const laboratory::EvidenceStep& step : laboratory::evidence_page(page).small_steps) {
+    const std::string table = table_of(step.command);
+    if (table.empty()) continue;
+    const std::string rows = read_text(out / page / table);
+    EXPECT_GE(std::count(rows.begin(), rows.end(), '\n'), 2) << step.command << "\n" << rows;
+  }
 }
 
 // The other pages' small forms are tests of CI themselves, or need what it has not (scale: benchmarks).
