@@ -7,7 +7,7 @@
 namespace seamline::inline stimuli {
 namespace {
 
-std::optional<FormFault> fault_of_number(const NumberField& field, const std::string& value) {
+std::optional<FormFault> fault_of_number(const auto& field, const std::string& value) {
   double number = 0;
   const char* end = value.data() + value.size();
   const auto [stop, error] = std::from_chars(value.data(), end, number);
@@ -17,8 +17,8 @@ std::optional<FormFault> fault_of_number(const NumberField& field, const std::st
   return std::nullopt;
 }
 
-std::optional<FormFault> fault_of_choice(const ChoiceField& field, const std::string& value) {
-  const bool known = std::find(field.options.begin(), field.options.end(), value) != field.options.end();
+std::optional<FormFault> fault_of_option(const std::vector<std::string>& options, const std::string& value) {
+  const bool known = std::find(options.begin(), options.end(), value) != options.end();
   return known ? std::nullopt : std::optional(FormFault::not_an_option);
 }
 
@@ -41,8 +41,14 @@ std::vector<FormField> default_form() {
 
 std::optional<FormFault> fault_of(const FormField& field, const std::string& value) {
   if (value.empty()) return field.required ? std::optional(FormFault::missing) : std::nullopt;
-  if (const auto* number = std::get_if<NumberField>(&field.kind)) return fault_of_number(*number, value);
-  return fault_of_choice(std::get<ChoiceField>(field.kind), value);
+  return std::visit(
+      [&](const auto& kind) {
+        if constexpr (requires { kind.least; })
+          return fault_of_number(kind, value);
+        else
+          return fault_of_option(kind.options, value);
+      },
+      field.kind);
 }
 
 }  // namespace seamline::inline stimuli

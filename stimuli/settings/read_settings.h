@@ -40,11 +40,14 @@ void read_value(const TomlTable& table, const std::string& key, const AllowedVal
 template <class Owner>
 void read_setting(const TomlTable& table, const Setting<Owner>& row, Owner& owner) {
   const std::string key(row.key);
+  const auto* choice = std::get_if<Choice<Owner>>(&row.slot);
   if (!table.has(key)) {
-    if (!row.required.empty()) throw table.complaint(key, std::string(row.required), "nothing");
+    if (!row.required.empty())
+      throw table.complaint(key, choice != nullptr ? words_text(choice->words) : std::string(row.required),
+                            "nothing");
   } else if (row.beside.is_refused && !is_used(row, owner)) {
     throw beside_complaint(table, row.key, row.beside, head_text(row, owner));
-  } else if (const auto* choice = std::get_if<Choice<Owner>>(&row.slot)) {
+  } else if (choice != nullptr) {
     choice->choose(owner, read_word(table, row.key, choice->words));
   } else {
     read_value(table, key, {row.range, row.form}, settable_value(row, owner));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "stimuli/definition/people/form_kinds.h"
 #include "stimuli/study_file/carried_files.h"
 #include "support/files/toml_table.h"
 #include "support/text/pattern.h"
@@ -50,8 +51,8 @@ std::size_t json_bytes(const std::string& text) {
 
 std::size_t longest_answer_bytes(const FormField& field) {
   std::size_t longest = 0;
-  if (const auto* choice = std::get_if<ChoiceField>(&field.kind))
-    for (const std::string& option : choice->options) longest = std::max(longest, json_bytes(option));
+  if (const auto* options = options_of(field))
+    for (const std::string& option : *options) longest = std::max(longest, json_bytes(option));
   return longest;
 }
 

@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "stimuli/definition/people/form_kinds.h"
 #include "stimuli/settings/people/form_settings.h"
 #include "stimuli/settings/people/session_settings.h"
 #include "stimuli/settings/read_settings.h"
@@ -18,24 +19,18 @@ ConsentDefinition read_consent(const TomlTable& table) {
   return consent;
 }
 
-void read_field(const TomlTable& table, NumberField& number) {
-  read_settings(table, number);
-  if (number.least > number.most)
-    throw table.complaint("most", fmt::format("at least {}", number.least), fmt::format("{}", number.most));
-}
-
-void read_field(const TomlTable& table, ChoiceField& choice) {
-  read_settings(table, choice);
-  const std::set<std::string> different(choice.options.begin(), choice.options.end());
-  if (choice.options.size() < 2 || different.size() != choice.options.size() || different.contains(""))
-    throw table.complaint("options", "at least two texts that differ",
-                          fmt::format("{}, {} of them different", choice.options.size(), different.size()));
-}
-
 FormField read_form_field(const TomlTable& table) {
   FormField field;
   read_settings(table, field);
-  std::visit([&](auto& kind) { read_field(table, kind); }, field.kind);
+  std::visit([&](auto& kind) { read_settings(table, kind); }, field.kind);
+  if (const auto number = number_of(field); number && number->least > number->most)
+    throw table.complaint("most", fmt::format("at least {}", number->least), fmt::format("{}", number->most));
+  if (const auto* options = options_of(field)) {
+    const std::set<std::string> different(options->begin(), options->end());
+    if (options->size() < 2 || different.size() != options->size() || different.contains(""))
+      throw table.complaint("options", "at least two texts that differ",
+                            fmt::format("{}, {} of them different", options->size(), different.size()));
+  }
   table.finish();
   return field;
 }

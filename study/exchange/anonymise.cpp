@@ -10,6 +10,7 @@
 #include <string_view>
 #include <tuple>
 
+#include "stimuli/definition/people/form_kinds.h"
 #include "stimuli/study_file/study_file.h"
 #include "study/exchange/clip_records.h"
 #include "study/exchange/slider_records.h"
@@ -63,7 +64,7 @@ std::set<std::string> number_fields(const LogContents& log) {
   std::set<std::string> numbers;
   const StudyDefinition study = read_study_text(log.study_text, log.file);
   for (const FormField& field : study.form)
-    if (std::holds_alternative<NumberField>(field.kind)) numbers.insert(field.name);
+    if (number_of(field)) numbers.insert(field.name);
   return numbers;
 }
 

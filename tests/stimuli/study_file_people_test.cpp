@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <regex>
 #include <set>
 
+#include "stimuli/settings/people/form_settings.h"
 #include "stimuli/study_file/carried_files.h"
 #include "stimuli/study_file/study_file.h"
 #include "support/files/atomic_file.h"
@@ -17,6 +19,7 @@
 namespace seamline {
 namespace {
 
+namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -121,6 +124,28 @@ TEST(StudyFilePeople, JudgesFormAnswers) {
   EXPECT_EQ(fault_of(hand, "left"), std::nullopt);
   EXPECT_EQ(fault_of(hand, ""), std::nullopt);
   EXPECT_EQ(fault_of(hand, "Left"), FormFault::not_an_option);
+}
+
+/// What a kind of question costs: the files that CONTRIBUTING.md names. All others ask what it stores
+/// (`number_of`, `options_of`).
+TEST(StudyFilePeople, AKindOfQuestionIsNamedWhereItIsDescribedAndDrawn) {
+  const fs::path root = SEAMLINE_SOURCE_DIR;
+  std::set<std::string> naming, contributing;
+  for (const char* folder : {"stimuli", "study", "analysis", "sets", "laboratory", "commands", "python"})
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder))
+      if (entry.is_regular_file() && read_file(entry.path()).find("hoiceField") != std::string::npos)
+        naming.insert(fs::relative(entry.path(), root).generic_string());
+  naming.erase("stimuli/definition/form_definition.cpp");  // the usual form has choices
+  const std::string page = read_file(root / "CONTRIBUTING.md");
+  const std::size_t row = page.find("| a kind of question in the form |");
+  const std::string line = page.substr(row, page.find('\n', row) - row);
+  const std::regex file("`([^`]+)`");
+  for (std::sregex_iterator it(line.begin(), line.end(), file), end; it != end; ++it)
+    contributing.insert((*it)[1]);
+  EXPECT_EQ(naming, contributing);
+  const std::string drawn = read_file(root / "study/online/page/web/screens/form.js");
+  for (const std::string_view word : words_of<decltype(FormField::kind)>)
+    EXPECT_THAT(drawn, HasSubstr(fmt::format("{}: {}Field", word, word)));
 }
 
 TEST(StudyFilePeople, ReadsInstructionsAndTraining) {

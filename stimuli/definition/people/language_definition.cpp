@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "stimuli/definition/parts/task_definition.h"
+#include "stimuli/definition/people/form_kinds.h"
 
 namespace seamline::inline stimuli {
 namespace {
@@ -21,9 +22,9 @@ FormField in_language(FormField field, const StudyTexts& texts) {
   const auto found = texts.form.find(field.name);
   if (found == texts.form.end()) return field;
   replace(field.label, found->second.label);
-  if (auto* choice = std::get_if<ChoiceField>(&field.kind);
-      choice != nullptr && choice->options.size() == found->second.options.size())
-    choice->options = found->second.options;
+  if (auto* options = options_of(field);
+      options != nullptr && options->size() == found->second.options.size())
+    *options = found->second.options;
   return field;
 }
 
@@ -33,8 +34,8 @@ void list_missing_of_form(const std::vector<FormField>& form, const StudyTexts& 
     const auto found = texts.form.find(field.name);
     const bool known = found != texts.form.end();
     if (!known || found->second.label.empty()) missing.push_back("form_field." + field.name + ".label");
-    const auto* choice = std::get_if<ChoiceField>(&field.kind);
-    if (choice != nullptr && (!known || found->second.options.size() != choice->options.size()))
+    const auto* options = options_of(field);
+    if (options != nullptr && (!known || found->second.options.size() != options->size()))
       missing.push_back("form_field." + field.name + ".options");
   }
 }
@@ -167,12 +168,10 @@ std::vector<FormAnswer> answers_of_study(std::span<const FormField> own,
   std::vector<FormAnswer> turned(answers.begin(), answers.end());
   for (FormAnswer& answer : turned)
     for (std::size_t i = 0; i < std::min(own.size(), translated.size()); ++i) {
-      const auto* from = std::get_if<ChoiceField>(&translated[i].kind);
-      const auto* into = std::get_if<ChoiceField>(&own[i].kind);
-      if (own[i].name != answer.field || from == nullptr || into == nullptr) continue;
-      const auto at = std::find(from->options.begin(), from->options.end(), answer.value);
-      if (at != from->options.end())
-        answer.value = into->options.at(static_cast<std::size_t>(at - from->options.begin()));
+      const auto *from = options_of(translated[i]), *into = options_of(own[i]);
+      if (own[i].name != answer.field || number_of(own[i]) || from == nullptr || into == nullptr) continue;
+      const auto at = std::find(from->begin(), from->end(), answer.value);
+      if (at != from->end()) answer.value = into->at(static_cast<std::size_t>(at - from->begin()));
     }
   return turned;
 }

@@ -10,6 +10,7 @@ inline constexpr NumberRange numbers_of_people = {-1e9, 1e9};
 
 template <>
 inline constexpr std::array<std::string_view, 2> words_of<decltype(FormField::kind)> = {"number", "choice"};
+static_assert(words_of<decltype(FormField::kind)>.size() == std::variant_size_v<decltype(FormField::kind)>);
 
 [[nodiscard]] std::string fault_of_name(const FormField& field);
 
@@ -73,7 +74,7 @@ inline constexpr auto settings_of<FormField> = std::to_array<Setting<FormField>>
      .meaning = "There is no free text, because people write names into it.",
      .changes = Changes::presentation,
      .of_condition = false,
-     .required = "\"number\" or \"choice\""},
+     .required = "one of these words"},
 });
 static_assert(are_sound<FormField>(settings_of<FormField>));
 

@@ -29,7 +29,7 @@ inline constexpr auto settings_of<TaskDefinition> = std::to_array<Setting<TaskDe
                 "seen](../how-to/match_the_level.md).",
      .wording = {.before = "task "},
      .changes = Changes::presentation,
-     .required = R"("object" or "pair" or "interval" or "yes_no" or "rating" or "match")"},
+     .required = "one of these words"},
     {.key = "exposure_s",
      .slot = &TaskDefinition::exposure_s,
      .range = {0, 600, "s"},

@@ -198,13 +198,19 @@ std::string path_table() {
   return table.text();
 }
 
+/// The rows of every alternative of a variant.
+template <class... Kinds>
+void add_kinds(Table& table, std::string_view of, const std::variant<Kinds...>& /*any*/) {
+  std::size_t place = 0;
+  (table.add<Kinds>(fmt::format("{}, {}", of, words_of<std::variant<Kinds...>>.at(place++))), ...);
+}
+
 /// What participants are told and asked.
 std::string people_table() {
   Table table("in");
   table.add<ConsentDefinition>("`consent`");
   table.add<FormField>("`form_field`");
-  table.add<NumberField>("`form_field`, number");
-  table.add<ChoiceField>("`form_field`, choice");
+  add_kinds(table, "`form_field`", FormField().kind);
   table.add<InstructionPage>("`instructions.page`");
   table.add<TrainingDefinition>("`training`");
   return table.text();

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "stimuli/definition/parts/task_definition.h"
+#include "stimuli/definition/people/form_kinds.h"
 #include "stimuli/settings/people/language_settings.h"
 #include "stimuli/settings/people/session_settings.h"
 #include "stimuli/settings/read_settings.h"
@@ -172,9 +173,9 @@ std::string texts_to_translate(const StudyDefinition& study, const StudyTexts& k
   for (const FormField& field : read.form) {
     out += fmt::format("\n[[form_field]]\nname = {}\n", toml_text(field.name));
     out += mark("form_field." + field.name + ".label") + fmt::format("label = {}\n", toml_text(field.label));
-    if (const auto* choice = std::get_if<ChoiceField>(&field.kind))
-      out += mark("form_field." + field.name + ".options") +
-             fmt::format("options = {}\n", toml_list(choice->options));
+    if (const auto* options = options_of(field))
+      out +=
+          mark("form_field." + field.name + ".options") + fmt::format("options = {}\n", toml_list(*options));
   }
   for (std::size_t i = 0; i < read.instructions.size(); ++i)
     out += "\n[[instructions.page]]\n" + std::string(mark(fmt::format("instructions.page[{}].text", i))) +

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <set>
 
+#include "stimuli/definition/people/form_kinds.h"
 #include "stimuli/settings/people/form_settings.h"
 #include "stimuli/settings/people/recruitment_settings.h"
 #include "stimuli/settings/read_settings.h"
@@ -29,10 +30,11 @@ FormRule read_form_rule(const TomlTable& table, std::span<const FormField> form)
   check_no_field_is_unknown(table, "field", rule.field, form);
   const FormField& field =
       *std::find_if(form.begin(), form.end(), [&](const FormField& one) { return one.name == rule.field; });
-  if (const auto* choice = std::get_if<ChoiceField>(&field.kind)) {
+  if (!number_of(field)) {
+    const std::vector<std::string>& options = *options_of(field);
     read_setting(table, "answers", rule);
     for (const std::string& answer : rule.answers)
-      if (std::find(choice->options.begin(), choice->options.end(), answer) == choice->options.end())
+      if (std::find(options.begin(), options.end(), answer) == options.end())
         throw table.complaint("answers", "options of the field \"" + rule.field + "\"", "\"" + answer + "\"");
     return rule;
   }

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "stimuli/definition/parts/task_definition.h"
+#include "stimuli/definition/people/form_kinds.h"
 #include "stimuli/settings/people/session_settings.h"
 #include "stimuli/study_file/people/study_file_recruitment.h"
 
@@ -184,16 +185,14 @@ void TextsReader::read_form_field(const TomlTable& table) const {
   if (builtin) {
     const auto usual = std::find_if(shipped.form.begin(), shipped.form.end(), is_named);
     if (own == study.form.end() || usual == shipped.form.end() || own->label != usual->label) return;
-    const auto* options = std::get_if<ChoiceField>(&own->kind);
-    const auto* usual_options = std::get_if<ChoiceField>(&usual->kind);
-    if ((options == nullptr) != (usual_options == nullptr) ||
-        (options != nullptr && options->options != usual_options->options))
+    const auto *options = options_of(*own), *usual_options = options_of(*usual);
+    if (own->kind.index() != usual->kind.index() || (options != nullptr && *options != *usual_options))
       return;
   }
   if (own == study.form.end())
     throw table.complaint("name", "the name of a [[form_field]] of the study", "\"" + name + "\"");
-  const auto* choice = std::get_if<ChoiceField>(&own->kind);
-  const std::size_t wanted = choice == nullptr ? 0 : choice->options.size();
+  const auto* options = options_of(*own);
+  const std::size_t wanted = options == nullptr ? 0 : options->size();
   const std::set<std::string> different(texts.options.begin(), texts.options.end());
   if (!texts.options.empty() && (texts.options.size() != wanted || different.size() != wanted))
     throw table.complaint("options", fmt::format("{} texts that differ, in the study's order", wanted),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "stimuli/definition/people/form_kinds.h"
 #include "study/app/screens/stage.h"
 #include "support/running/overloaded.h"
 
@@ -13,8 +14,8 @@ std::string problem_text(const Stage& stage, const FormField& field, FormFault f
   if (fault == FormFault::missing) return stage.phrase(Phrase::form_missing);
   if (fault == FormFault::not_a_number) return stage.phrase(Phrase::form_not_a_number);
   if (fault == FormFault::not_an_option) return stage.phrase(Phrase::form_not_an_option);
-  const auto* number = std::get_if<NumberField>(&field.kind);
-  if (number == nullptr) return stage.phrase(Phrase::form_missing);
+  const std::optional<NumberField> number = number_of(field);
+  if (!number) return stage.phrase(Phrase::form_missing);
   return stage.phrase(Phrase::form_out_of_range, {{"least", fmt::format("{:g}", number->least)},
                                                   {"most", fmt::format("{:g}", number->most)}});
 }

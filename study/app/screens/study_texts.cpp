@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "stimuli/definition/looks/condition_tasks.h"
+#include "stimuli/definition/people/form_kinds.h"
 
 namespace seamline::study::app {
 
@@ -29,8 +30,8 @@ std::vector<ShownText> shown_texts(const StudyDefinition& study) {
   for (const FormField& field : study.form) {
     const std::string where = "form." + field.name;
     texts.push_back({where, field.label});
-    if (const auto* choice = std::get_if<ChoiceField>(&field.kind))
-      for (const std::string& option : choice->options) texts.push_back({where, option});
+    if (const auto* options = options_of(field))
+      for (const std::string& option : *options) texts.push_back({where, option});
   }
   for (std::size_t i = 0; i < study.instructions.size(); ++i)
     texts.push_back({fmt::format("instructions[{}]", i), study.instructions[i].text});

@@ -9,8 +9,10 @@
 #include "stimuli/definition/looks/condition_tasks.h"
 #include "stimuli/definition/looks/study_look.h"
 #include "stimuli/definition/moving/clip_definition.h"
+#include "stimuli/definition/people/form_kinds.h"
 #include "stimuli/definition/people/language_definition.h"
 #include "stimuli/definition/people/recruitment_definition.h"
+#include "stimuli/settings/people/form_settings.h"
 #include "study/online/page/web_format.h"
 #include "study/trials/level_ladders.h"
 #include "study/trials/right_rule.h"
@@ -121,23 +123,30 @@ Json recruitment_json(const RecruitmentDefinition& recruitment) {
           {"host", return_host(recruitment)}};
 }
 
+/// What the rows of a kind of question say, by their keys.
+template <class Kind>
+void add_keys(const Kind& kind, Json& json) {
+  static_assert(!settings_of<Kind>.empty(), "include the header with its rows");
+  for (const Setting<Kind>& row : settings_of<Kind>)
+    std::visit(
+        [&](const auto& value) {
+          if constexpr (requires { Json(*value); }) json[std::string(row.key)] = *value;
+        },
+        value_of(row, kind));
+}
+
 /// `own`: the study's, whose options are what is stored.
 Json form_json(const std::vector<FormField>& form, const std::vector<FormField>& own) {
   Json fields = Json::array();
   for (std::size_t i = 0; i < form.size(); ++i) {
     const FormField& field = form[i];
-    Json json = {{"name", field.name}, {"label", field.label}, {"required", field.required}};
-    if (const auto* number = std::get_if<NumberField>(&field.kind)) {
-      json["kind"] = "number";
-      json["least"] = number->least;
-      json["most"] = number->most;
-      json["whole"] = number->whole;
-    } else {
-      json["kind"] = "choice";
-      json["options"] = std::get<ChoiceField>(field.kind).options;
-      const std::vector<std::string>& values = std::get<ChoiceField>(own.at(i).kind).options;
-      if (values != std::get<ChoiceField>(field.kind).options) json["values"] = values;
-    }
+    Json json = {{"name", field.name},
+                 {"label", field.label},
+                 {"required", field.required},
+                 {"kind", word_of(field.kind)}};
+    std::visit([&](const auto& kind) { add_keys(kind, json); }, field.kind);
+    const auto *options = options_of(field), *values = options_of(own.at(i));
+    if (options != nullptr && *options != *values) json["values"] = *values;
     fields.push_back(std::move(json));
   }
   return fields;

@@ -12,9 +12,12 @@ function faultOfNumber(field, value) {
 /** What is stored of a choice: the study's own options, in whatever language they are read. */
 export const valuesOf = (field) => field.values ?? field.options;
 
+/** A question with bounds stores a number, any other one of its values. */
+const storesNumber = (field) => field.least !== undefined;
+
 /** "missing", "not_a_number", "out_of_range", "not_an_option" or null. */
 export function faultOf(field, value) {
   if (value === "") return field.required ? "missing" : null;
-  if (field.kind === "number") return faultOfNumber(field, value);
+  if (storesNumber(field)) return faultOfNumber(field, value);
   return valuesOf(field).includes(value) ? null : "not_an_option";
 }

@@ -1,4 +1,4 @@
-// The form: numbers and choices. Faults are said beside the question until they are put right.
+// The form: a function for each kind of question. Faults are said beside the question until they are put right.
 import { faultOf, valuesOf } from "../core/form.js";
 import { card, element, radioGroup, uniqueId } from "./dom.js";
 import { codeWords } from "./pages.js";
@@ -34,6 +34,9 @@ function choiceField(app, field, changed) {
   return { node, input: node.querySelector("input") };
 }
 
+/** By the word of the kind in the study file. */
+const DRAWN = { number: numberField, choice: choiceField };
+
 export function drawForm(app, display) {
   const values = new Map();
   const rows = app.study.form.map((field) => {
@@ -42,7 +45,7 @@ export function drawForm(app, display) {
       values.set(field.name, value);
       if (!problem.hidden) show(field, problem, input);
     };
-    const { node, input } = (field.kind === "number" ? numberField : choiceField)(app, field, changed);
+    const { node, input } = DRAWN[field.kind](app, field, changed);
     node.append(problem);
     return { field, problem, input, node };
   });
