@@ -10,6 +10,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "analysis/psychometric/report/fit_json.h"
 #include "analysis/psychometric/report/fit_quantities.h"
@@ -119,8 +121,8 @@ FitOptions options_of(const FitArguments& arguments) {
   FitOptions options = options_for_alternatives(arguments.alternatives);
   if (arguments.sigmoid != all_sigmoids_word) options.sigmoid = sigmoid_from_word(arguments.sigmoid).value();
   options.axis = axis_of(arguments);
-  if (arguments.direction == "increasing") options.direction = study::Direction::increasing;
-  if (arguments.direction == "decreasing") options.direction = study::Direction::decreasing;
+  for (const auto direction : {study::Direction::increasing, study::Direction::decreasing})
+    if (arguments.direction == word(direction)) options.direction = direction;
   options.lapse = rate_of("--lapse", arguments.lapse, largest_free_lapse);
   if (arguments.guess == equal_rates_word && arguments.alternatives > 1)
     throw input_error({.field = "--guess",
@@ -243,10 +245,11 @@ void add_fit_command(CLI::App& app) {
       ->check(CLI::IsMember(allowed))
       ->capture_default_str();
   command->add_option("--axis", arguments->axis, "log2 or linear")
-      ->check(CLI::IsMember({"log2", "linear"}))
+      ->check(CLI::IsMember(std::vector<std::string>{word(study::Axis::log2), word(study::Axis::linear)}))
       ->capture_default_str();
   command->add_option("--direction", arguments->direction, "increasing, decreasing or auto: the likelier")
-      ->check(CLI::IsMember({"increasing", "decreasing", "auto"}))
+      ->check(CLI::IsMember(std::vector<std::string>{word(study::Direction::increasing),
+                                                     word(study::Direction::decreasing), "auto"}))
       ->capture_default_str();
   add_formed_text(*command, "--lapse", arguments->lapse, "RATE", "a fixed rate, or free:MAX", require_lapse)
       ->capture_default_str();

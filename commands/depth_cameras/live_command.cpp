@@ -22,7 +22,7 @@ struct LiveOptions {
   std::string recording, objects_file, size, out, csv;
   std::vector<std::string> objects;
   std::vector<double> at_m, heights_m;
-  std::string jumps = "stretch";
+  sensors::Jumps jumps = sensors::Jumps::stretch;
   bool headless = false, time = false, marker_given = false;
   bool spacing_given = false, parallax_given = false, drop_given = false;
   LiveRequest request;
@@ -68,7 +68,7 @@ void check(const LiveOptions& options) {
 LiveRequest request_of(const LiveOptions& options) {
   LiveRequest request = options.request;
   request.recording = options.recording;
-  if (options.jumps == "cut") request.settings.local_mesh.cut_ratio = 1.1F;
+  if (options.jumps == sensors::Jumps::cut) request.settings.local_mesh.cut_ratio = 1.1F;
   if (const auto size = whole_pair(options.size, 'x')) {
     request.load.width_px = size->first;
     request.load.height_px = size->second;
@@ -142,9 +142,8 @@ void add_live_command(CLI::App& app, const ShowInWindow& show) {
   add_number(*command, "--triangles", request.settings.local_mesh.most_triangles, {0, 80000000},
              "of the local scene, at most; 0: two for each pixel of depth")
       ->capture_default_str();
-  command->add_option("--jumps", options->jumps, "what the local scene does where depth jumps")
-      ->check(CLI::IsMember({"stretch", "cut"}))
-      ->capture_default_str();
+  add_choice(*command, "--jumps", options->jumps, std::array{sensors::Jumps::stretch, sensors::Jumps::cut},
+             "what the local scene does where depth jumps");
   add_number(*command, "--shadow-map", request.settings.shadow_map_px, {16, 8192, "px"}, "a side")
       ->capture_default_str();
   add_number(*command, "--shadow-bias", request.settings.shadow_bias_texels, {0, 1000, "texels"},

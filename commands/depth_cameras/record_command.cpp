@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "commands/depth_cameras/rig_options.h"
+#include "commands/options/setting_option.h"
 #include "live/recording/make_recording.h"
 #include "raytracer/common/parallel.h"
 #include "support/files/assets.h"
@@ -20,7 +21,7 @@ namespace {
 using Coordinates = std::array<double, 3>;
 
 struct RecordOptions {
-  std::string scene, preset, out, path = "orbit";
+  std::string scene, preset, out;
   Coordinates at_m{}, look_at_m{0, 0, -1};
   bool has_place = false, angle_given = false, distance_given = false, no_poses = false;
   double noise_scale = 1;
@@ -33,19 +34,14 @@ Eigen::Vector3d point_of(const Coordinates& v) {
   return {v[0], v[1], v[2]};
 }
 
-PathKind path_of(const std::string& text) {
-  for (int i = 0; i < path_kind_count; ++i)
-    if (text == word(static_cast<PathKind>(i))) return static_cast<PathKind>(i);
-  return PathKind::orbit;
-}
-
 /// An option that would be ignored is refused.
 void check(const RecordOptions& options) {
+  const PathKind kind = options.make.path.kind;
   const auto refuse = [&](const char* option, const char* wanted) {
-    throw input_error({.field = option, .wanted = wanted, .found = "--path " + options.path});
+    throw input_error({.field = option, .wanted = wanted, .found = "--path " + std::string(word(kind))});
   };
-  if (options.angle_given && options.path != "orbit") refuse("--angle", "--path orbit beside it");
-  if (options.distance_given && options.path != "sweep" && options.path != "approach")
+  if (options.angle_given && kind != PathKind::orbit) refuse("--angle", "--path orbit beside it");
+  if (options.distance_given && kind != PathKind::sweep && kind != PathKind::approach)
     refuse("--distance", "--path sweep or approach beside it");
 }
 
@@ -61,7 +57,6 @@ void run_record(RecordOptions options) {
     definition.camera = CameraDefinition{point_of(options.at_m), point_of(options.look_at_m)};
     options.make.orbit_m = point_of(options.look_at_m);
   }
-  options.make.path.kind = path_of(options.path);
   options.make.keeps_poses = !options.no_poses;
   options.make.exposure_ev = options.photograph.exposure_ev;
   const std::uint64_t seed = options.seed;
@@ -90,9 +85,7 @@ void add_record_command(CLI::App& app) {
       ->capture_default_str();
   add_number(*command, "--rate", options->make.frames_per_s, {0.001, 1000}, "frames per second")
       ->capture_default_str();
-  command->add_option("--path", options->path, "how the camera moves")
-      ->check(CLI::IsMember({"still", "orbit", "sweep", "approach"}))
-      ->capture_default_str();
+  add_choice(*command, "--path", options->make.path.kind, every_path_kind, "how the camera moves");
   CLI::Option* angle = add_number(*command, "--angle", options->make.path.angle_deg, {-360, 360, "degrees"},
                                   "of an orbit, from the first frame to the last")
                            ->capture_default_str();

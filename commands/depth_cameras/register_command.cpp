@@ -4,11 +4,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
+#include "commands/options/setting_option.h"
 #include "registration/errors/error_report.h"
 #include "registration/files/camera_file.h"
 #include "registration/files/point_cloud.h"
@@ -20,6 +22,7 @@
 #include "sensors/files/depth_values.h"
 #include "sensors/repair/named_repair.h"
 #include "sensors/repair/several_frames.h"
+#include "stimuli/settings/repair_settings.h"
 #include "support/files/atomic_file.h"
 #include "support/text/error.h"
 #include "support/text/number_option.h"
@@ -35,7 +38,7 @@ constexpr double edge_ratio = 1.05;  ///< of depths that edges.png draws a line 
 struct RegisterOptions {
   std::vector<std::string> depth;  ///< one, or several of a rig that stands still
   std::string camera, colour, out;
-  std::string by = "mesh", jumps = "stretch", repair = "none";
+  std::string by = "mesh", repair = "none";
   MeshRegistration mesh;
   bool repair_after = false;  ///< in the photograph's pixels, once registered (002, section 5)
   std::optional<int> section_row;
@@ -72,9 +75,10 @@ void check(const RegisterOptions& options) {
     if (options.extrusion_given)
       refuse("--extrude", "--by mesh beside it", "--by points, which has no border");
   }
-  if (options.ratio_given && (options.by == "points" || options.jumps != "cut"))
-    refuse("--jump-ratio", "--jumps cut beside it",
-           options.by == "points" ? "--by points" : "--jumps " + options.jumps);
+  if (options.ratio_given && (options.by == "points" || options.mesh.jumps != Jumps::cut))
+    refuse(
+        "--jump-ratio", "--jumps cut beside it",
+        options.by == "points" ? "--by points" : "--jumps " + std::string(stimuli::word(options.mesh.jumps)));
   if (options.tolerance_given && options.true_depth.empty())
     refuse("--error-tolerance", "--true-depth beside it", "none");
   if (options.repair_after && options.repair == "none")
@@ -112,9 +116,7 @@ RegisteredFrame registered_of(const RegisterOptions& options, const Registration
     invented.push_back(mark == sensors::RepairMark::invented ? 1 : 0);
   if (options.by == "points")
     return register_by_points(repaired.frame, rig.colour_from_depth, rig.colour, invented);
-  MeshRegistration mesh = options.mesh;
-  mesh.jumps = options.jumps == "cut" ? Jumps::cut : Jumps::stretch;
-  return register_by_mesh(repaired.frame, rig.colour_from_depth, rig.colour, mesh, invented);
+  return register_by_mesh(repaired.frame, rig.colour_from_depth, rig.colour, options.mesh, invented);
 }
 
 void write_all(const fs::path& folder, const RegistrationRig& rig, const RegisteredFrame& registered,
@@ -212,10 +214,9 @@ void run_register(const RegisterOptions& options) {
   }
   std::optional<Section> section;
   if (options.section_row) {
-    MeshRegistration mesh = options.mesh;
-    mesh.jumps = options.jumps == "cut" ? Jumps::cut : Jumps::stretch;
     const sensors::DepthFrame& meshed = options.repair_after ? measured : mended.frame;
-    section = section_of(meshed, rig.colour_from_depth, rig.colour, mesh, registered, *options.section_row);
+    section =
+        section_of(meshed, rig.colour_from_depth, rig.colour, options.mesh, registered, *options.section_row);
   }
   prepare_output_folder(options.out);
   write_all(options.out, rig, registered, photograph);
@@ -266,9 +267,8 @@ void add_register_command(CLI::App& app) {
       ->check(CLI::IsMember({"points", "mesh"}))
       ->capture_default_str();
   const CLI::Option* jumps =
-      command->add_option("--jumps", options->jumps, "what the mesh does where depth jumps")
-          ->check(CLI::IsMember({"stretch", "cut"}))
-          ->capture_default_str();
+      add_choice(*command, "--jumps", options->mesh.jumps, std::array{Jumps::stretch, Jumps::cut},
+                 "what the mesh does where depth jumps");
   const CLI::Option* ratio = add_number(*command, "--jump-ratio", options->mesh.jump_ratio, {1.0001, 1000},
                                         "of depths between which --jumps cut cuts")
                                  ->capture_default_str();
@@ -279,7 +279,7 @@ void add_register_command(CLI::App& app) {
   add_number(*command, "--section", options->section_row, {0, 65535, "px"},
              "also draws the mesh cut along this row of the photograph (section.svg; needs gnuplot)");
   command->add_option("--repair", options->repair, "what is done to the depth, before it is registered")
-      ->check(CLI::IsMember({"none", "nearest", "median", "joint_bilateral", "planes"}))
+      ->check(CLI::IsMember(option_words<sensors::RepairMethod>()))
       ->capture_default_str();
   command->add_flag("--repair-after", options->repair_after,
                     "repair the registered depth instead, in the photograph's pixels");

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <tuple>
 
+#include "commands/options/setting_option.h"
 #include "commands/photographs/asset_root_option.h"
 #include "laboratory/convergence/convergence.h"
 #include "stimuli/study_file/study_file.h"
@@ -67,9 +68,7 @@ void add_convergence_command(CLI::App& app) {
   command
       ->add_option("--parts", options->parts, "only these parts (default: samples, mesh, width, compositing)")
       ->delimiter(',')
-      ->check(CLI::IsMember({"samples", "mesh", "width", "compositing", "links", "realtime", "light",
-                             "mitigation", "filter", "sensor", "repair", "registration", "fit", "joint",
-                             "interval", "plan"}));
+      ->check(CLI::IsMember(option_words(every_convergence_part)));
   add_number(*command, "--tolerances", options->tolerances, {1e-9, 0.5},
              "of the depth mesh in `mesh`, besides the study's (default: 1e-2 to 1e-6)")
       ->delimiter(',');

@@ -2,9 +2,11 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
+#include "stimuli/definition/depth_chain.h"
 #include "stimuli/settings/setting.h"
 #include "support/text/number_option.h"
 
@@ -28,19 +30,34 @@ template <class Value>
   return {words_of<Value>.begin(), words_of<Value>.end()};
 }
 
-/// An option that takes the word of one of these values. Words are those of `word(Value)`.
+/// The words of these values, as `word(Value)` says them.
 template <class Value, std::size_t count>
-CLI::Option* add_choice(CLI::App& command, const std::string& name, Value& value,
-                        const std::array<Value, count>& every, const std::string& description) {
+[[nodiscard]] std::vector<std::string> option_words(const std::array<Value, count>& every) {
   std::vector<std::string> words;
   for (const Value one : every) words.emplace_back(word(one));
+  return words;
+}
+
+/// An option that takes the word of one of these values. `Chosen`: the value, or an optional one, which is
+/// none where nothing is said, or this word for it.
+template <class Chosen, class Value, std::size_t count>
+CLI::Option* add_choice(CLI::App& command, const std::string& name, Chosen& value,
+                        const std::array<Value, count>& every, const std::string& description,
+                        const std::string& none = {}) {
+  std::vector<std::string> words = option_words(every);
+  if (!none.empty()) words.insert(words.begin(), none);
   const auto choose = [&value, every](const std::string& text) {
+    value = Chosen{};
     for (const Value one : every)
       if (word(one) == text) value = one;
   };
-  return command.add_option_function<std::string>(name, choose, description)
-      ->check(CLI::IsMember(words))
-      ->default_str(std::string(word(value)));
+  CLI::Option* option =
+      command.add_option_function<std::string>(name, choose, description)->check(CLI::IsMember(words));
+  if constexpr (std::is_same_v<Chosen, Value>)
+    option->default_str(std::string(word(value)));
+  else if (!none.empty())
+    option->default_str(none);
+  return option;
 }
 
 }  // namespace seamline::inline stimuli

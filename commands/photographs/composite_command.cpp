@@ -47,15 +47,16 @@ void check_given(const CompositeOptions& options, const Given& given) {
                 "--metallic", "--roughness", "--rest"},
                given("--object") && !in_file, where, in_file ? "--objects " + options.objects : "none");
   given.refuse({"--scale"}, !given("--height"), "--scale or --height, not both", "both");
-  given.refuse({"--metallic", "--roughness"}, options.materials == "gltf", "--materials gltf beside it",
-               "--materials diffuse");
+  given.refuse({"--metallic", "--roughness"}, options.materials == MaterialModel::gltf,
+               "--materials gltf beside it", "--materials diffuse");
   given.refuse({"--jumps"}, camera || options.depth_view != "panorama", "depth of the photograph's own view",
                "a panorama");
   given.refuse({"--fov"}, !camera, "no --camera beside it, whose file has the lens",
                options.request.depth.camera);
   given.refuse({"--yaw", "--depth-view"}, !camera, "a panoramic depth map",
                "depth of the camera " + options.request.depth.camera);
-  given.refuse({"--jump-ratio"}, options.jumps == "cut", "--jumps cut beside it", "--jumps " + options.jumps);
+  given.refuse({"--jump-ratio"}, options.jumps == sensors::Jumps::cut, "--jumps cut beside it",
+               "--jumps " + std::string(stimuli::word(options.jumps)));
   given.refuse({"--depth-buffer-bits", "--depth-buffer-near", "--depth-buffer-far"},
                options.request.occlusion == Occlusion::depth_buffer, "--occlusion depth_buffer beside it",
                "--occlusion " + std::string(word(options.request.occlusion)));
@@ -86,7 +87,7 @@ PlacedModel model_of(const CompositeOptions& options, const Given& given) {
   if (given("--height")) model.height_m = options.height_m;
   model.stands = given("--height") || !model.has_place;
   model.rest = options.rest;
-  model.materials = options.materials == "gltf" ? MaterialModel::gltf : MaterialModel::diffuse;
+  model.materials = options.materials;
   model.transparency = transparency_of(options.transparent).value_or(Transparency::refused);
   model.albedo = options.object_albedo;
   if (given("--metallic")) model.metallic = options.metallic;
@@ -176,16 +177,14 @@ CompositeRequest request_of(const CompositeOptions& options, const CLI::App& com
     request.projection = options.projection == "panorama" ? Projection::panorama : Projection::perspective;
   PhotoDepthRequest& depth = request.depth;
   depth.file = options.mesh.depth;
-  depth.density = density_of(options.mesh);
+  depth.density = options.mesh.density;
   depth.tolerance = options.mesh.tolerance;
   depth.yaw_texels = options.mesh.yaw_texels;
   if (options.depth_view != "auto")
     depth.view = options.depth_view == "panorama" ? DepthView::panorama : DepthView::photograph;
-  if (options.depth_kind != "auto")
-    depth.convention =
-        options.depth_kind == "radial" ? sensors::DepthConvention::radial : sensors::DepthConvention::planar;
+  if (options.depth_kind) depth.convention = options.depth_kind;
   take_depth_options(options.depth, command, depth);
-  if (options.jumps == "cut") depth.cut_ratio = options.jump_ratio;
+  if (options.jumps == sensors::Jumps::cut) depth.cut_ratio = options.jump_ratio;
   if (given("--view")) request.view_px = whole_pair(options.view, 'x');
   if (given("--look-at")) request.look_at_m = as_vector(options.look_at_m);
   if (given("--fov")) request.fov_deg = options.fov_deg;
@@ -202,8 +201,7 @@ CompositeRequest request_of(const CompositeOptions& options, const CLI::App& com
   request.seamless = given("--seamless");
   if (request.seamless && !options.seamless.empty() && options.seamless != "paper")
     request.thresholds = options.seamless;
-  if (options.estimator != "auto")
-    request.estimator = options.estimator == "fast" ? Estimator::fast : Estimator::path;
+  if (options.estimator) request.estimator = options.estimator;
   if (given("--error")) request.error = options.error;
   take_objects(options, given, request);
   return request;

@@ -7,6 +7,7 @@
 #include "commands/options/setting_option.h"
 #include "commands/photographs/asset_root_option.h"
 #include "commands/photographs/transparent_option.h"
+#include "sensors/files/depth_words.h"
 #include "stimuli/settings/depth_settings.h"
 #include "support/text/error.h"
 #include "support/text/limits.h"
@@ -76,21 +77,16 @@ void add_depth_options(CLI::App& command, CompositeOptions& options) {
                   "wide as high is a panorama")
       ->check(CLI::IsMember({"auto", "panorama", "photograph"}))
       ->capture_default_str();
-  command
-      .add_option(
-          "--depth-kind", options.depth_kind,
-          "radial: lengths of rays; planar: distances along the camera's axis; auto: radial of panoramas, "
-          "planar of photographs' views")
-      ->check(CLI::IsMember({"auto", "radial", "planar"}))
-      ->capture_default_str();
+  add_choice(command, "--depth-kind", options.depth_kind,
+             std::array{sensors::DepthConvention::radial, sensors::DepthConvention::planar},
+             "radial: lengths of rays; planar: distances along the camera's axis; auto: radial of panoramas, "
+             "planar of photographs' views",
+             "auto");
   add_depth_file_options(command, options.depth, options.request.depth);
   add_mesh_options(command, options.mesh);
   add_yaw_option(command, options.mesh);
-  command
-      .add_option("--jumps", options.jumps,
-                  "where depth of the photograph's view jumps: stretch a sheet, or cut a gap")
-      ->check(CLI::IsMember({"stretch", "cut"}))
-      ->capture_default_str();
+  add_choice(command, "--jumps", options.jumps, std::array{sensors::Jumps::stretch, sensors::Jumps::cut},
+             "where depth of the photograph's view jumps: stretch a sheet, or cut a gap");
   add_number(command, "--jump-ratio", options.jump_ratio, {1.0001, 1000},
              "of depths between which --jumps cut cuts")
       ->capture_default_str();
@@ -141,11 +137,9 @@ void add_object_options(CLI::App& command, CompositeOptions& options) {
                    "(needs Bullet)");
   add_number(command, "--height", options.height_m, {1e-9, 1e9, "m"},
              "in place of --scale: the object is so tall, and stands on --position");
-  command
-      .add_option("--materials", options.materials,
-                  "of the object: gltf (metals, gloss, textures) or diffuse (base colours alone)")
-      ->check(CLI::IsMember({"gltf", "diffuse"}))
-      ->capture_default_str();
+  add_choice(command, "--materials", options.materials,
+             std::array{MaterialModel::gltf, MaterialModel::diffuse},
+             "of the object: gltf (metals, gloss, textures) or diffuse (base colours alone)");
   add_transparent_option(command, options.transparent, "of the objects");
   add_number(command, "--object-albedo", options.object_albedo, {0, 1}, "of its meshes without a material")
       ->capture_default_str();
@@ -229,12 +223,10 @@ void add_answer_options(CLI::App& command, CompositeOptions& options) {
 
 void add_sampling_options(CLI::App& command, CompositeOptions& options) {
   CompositeRequest& request = options.request;
-  command
-      .add_option("--estimator", options.estimator,
-                  "fast (filtered bounce light), path (every path traced), or auto: fast, but path beside "
-                  "--occlusion none or --shadows none and where a lens leaves the picture's corners empty")
-      ->check(CLI::IsMember({"auto", "fast", "path"}))
-      ->capture_default_str();
+  add_choice(command, "--estimator", options.estimator, std::array{Estimator::fast, Estimator::path},
+             "fast (filtered bounce light), path (every path traced), or auto: fast, but path beside "
+             "--occlusion none or --shadows none and where a lens leaves the picture's corners empty",
+             "auto");
   add_number(command, "--error", options.error, {1e-5, 1},
              "sample until the picture's estimated error is below this, in display units (one 8-bit step is "
              "0.0039)");

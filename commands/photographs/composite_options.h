@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "commands/photographs/depth_options.h"
@@ -15,9 +16,13 @@ struct CompositeOptions {
   CompositeRequest request;
   MeshCommandOptions mesh;
   DepthOptions depth;
-  std::string projection = "auto", depth_view = "auto", depth_kind = "auto", view, jumps = "stretch",
-              shadows = "cast", repair = "none", estimator = "auto", seamless, asset_root;
-  std::string object, objects, materials = "gltf", transparent, environment_map;
+  std::string projection = "auto", depth_view = "auto", view, shadows = "cast", repair = "none", seamless,
+              asset_root;
+  std::optional<sensors::DepthConvention> depth_kind;
+  std::optional<Estimator> estimator;
+  sensors::Jumps jumps = sensors::Jumps::stretch;
+  MaterialModel materials = MaterialModel::gltf;
+  std::string object, objects, transparent, environment_map;
   std::array<double, 3> position_m{0, 0, -3}, rotation_deg{0, 0, 0}, look_at_m{0, 0, -1},
       environment{0, 0, 0};
   SunOptions sun;

@@ -2,7 +2,11 @@
 
 #include <fmt/core.h>
 
+#include <array>
+
+#include "commands/options/setting_option.h"
 #include "sensors/files/depth_units.h"
+#include "sensors/files/depth_words.h"
 #include "support/text/error.h"
 #include "support/text/number_option.h"
 
@@ -51,13 +55,11 @@ void add_depth_file_options(CLI::App& command, DepthOptions& options, PhotoDepth
       "values of the file that stand for no depth, beside 0, negative ones and no number (default: 65535 "
       "of whole numbers of 16 bits)")
       ->delimiter(',');
-  command
-      .add_option(
-          "--depth-value", options.value,
-          "what its values are: metres (in the unit), or an estimate's: inverse (1 / distance = scale * "
-          "value + shift) or relative (distance = scale * value + shift)")
-      ->check(CLI::IsMember({"metres", "inverse", "relative"}))
-      ->capture_default_str();
+  add_choice(
+      command, "--depth-value", options.value,
+      std::array{sensors::DepthValue::metres, sensors::DepthValue::inverse, sensors::DepthValue::relative},
+      "what its values are: metres (in the unit), or an estimate's: inverse (1 / distance = scale * "
+      "value + shift) or relative (distance = scale * value + shift)");
   add_number(command, "--depth-scale", options.scale, any_line_term, "of an estimate, stated");
   add_number(command, "--depth-shift", options.shift, any_line_term, "of an estimate, stated (default: 0)");
   add_number(
@@ -85,13 +87,13 @@ void take_depth_options(const DepthOptions& options, const CLI::App& command, Ph
   }
   if (given("--nothing")) request.nothing = options.nothing;
   constexpr std::array lines = {"--depth-scale", "--depth-point", "--depth-reference"};
-  if (options.value == "metres") {
+  if (options.value == sensors::DepthValue::metres) {
     for (const char* name : {"--depth-scale", "--depth-shift", "--depth-point", "--depth-reference"})
       refuse(name, "--depth-value inverse or relative beside it", "a map of distances");
     return;
   }
   sensors::DepthEstimate estimate;
-  estimate.value = options.value == "inverse" ? sensors::DepthValue::inverse : sensors::DepthValue::relative;
+  estimate.value = options.value;
   int ways = 0;
   for (const char* name : lines) ways += given(name) ? 1 : 0;
   if (ways > 1)
@@ -102,7 +104,7 @@ void take_depth_options(const DepthOptions& options, const CLI::App& command, Ph
   if (!given("--depth-reference"))
     for (const char* name : {"--metres-per-step", "--depth-unit"})
       refuse(name, "--depth-reference beside it, whose unit it is: an estimate has none",
-             "--depth-value " + options.value);
+             "--depth-value " + std::string(word(options.value)));
   if (given("--depth-scale")) {
     if (!(options.scale > 0))
       throw input_error({.field = "--depth-scale",

@@ -10,7 +10,8 @@ namespace seamline::renderer {
 /// What the command line says of a depth file from anywhere: its channel, unit, codes for nothing, and the
 /// line of an estimate.
 struct DepthOptions {
-  std::string unit, value = "metres";
+  std::string unit;
+  sensors::DepthValue value = sensors::DepthValue::metres;
   double metres_per_step = 1, scale = 1, shift = 0;
   std::vector<double> nothing, points;
 };

@@ -2,8 +2,10 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <string>
 
+#include "commands/options/setting_option.h"
 #include "renderer/depth/depth_mesh.h"
 #include "support/text/number_option.h"
 
@@ -14,15 +16,15 @@ namespace seamline::renderer {
 inline constexpr NumberRange any_yaw_texels{-16384, 16384, "texels"};
 
 struct MeshCommandOptions {
-  std::string depth, out, density = "adaptive";
+  std::string depth, out;
+  MeshDensity density = MeshDensity::adaptive;
   double tolerance = 1e-4;
   double yaw_texels = 0;
 };
 
 inline void add_mesh_options(CLI::App& command, MeshCommandOptions& options) {
-  command.add_option("--mesh", options.density, "adaptive or full")
-      ->check(CLI::IsMember({"adaptive", "full"}))
-      ->capture_default_str();
+  add_choice(command, "--mesh", options.density, std::array{MeshDensity::adaptive, MeshDensity::full},
+             "adaptive or full");
   add_number(command, "--tolerance", options.tolerance, {1e-9, 1},
              "largest relative error of the adaptive mesh along a ray")
       ->capture_default_str();
@@ -34,10 +36,6 @@ inline CLI::Option* add_yaw_option(CLI::App& command, MeshCommandOptions& option
       ->capture_default_str();
 }
 
-[[nodiscard]] inline MeshDensity density_of(const MeshCommandOptions& options) {
-  return options.density == "full" ? MeshDensity::full : MeshDensity::adaptive;
-}
-
 /// The mesh of the map; texels that are no distances are said on standard error.
 [[nodiscard]] inline DepthMesh panorama_mesh_of(const MeshCommandOptions& options) {
   const DepthMap map = read_depth_map(options.depth);
@@ -45,8 +43,7 @@ inline CLI::Option* add_yaw_option(CLI::App& command, MeshCommandOptions& option
     fmt::print(stderr, "{}: {} texels were 0, negative, not a number or beyond 1e9 m and are read as holes\n",
                options.depth, map.cleaned_texels);
   return build_depth_mesh(
-      map,
-      {.density = density_of(options), .tolerance = options.tolerance, .yaw_texels = options.yaw_texels});
+      map, {.density = options.density, .tolerance = options.tolerance, .yaw_texels = options.yaw_texels});
 }
 
 /// Refuses a file name whose ending, in capitals or not, does not say what will be in the file.

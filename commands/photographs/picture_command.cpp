@@ -13,6 +13,7 @@
 #include <string>
 
 #include "commands/options/command_help.h"
+#include "commands/options/setting_option.h"
 #include "commands/photographs/mesh_options.h"
 #include "commands/photographs/sun_options.h"
 #include "commands/photographs/transparent_option.h"
@@ -42,7 +43,8 @@ using Three = std::array<double, 3>;
 constexpr double usual_picture_fov_deg = 50;
 
 struct PictureOptions {
-  std::string scene, out, materials = "gltf", transparent, environment_map, objects;
+  std::string scene, out, transparent, environment_map, objects;
+  MaterialModel materials = MaterialModel::gltf;
   Three at_m{0, 0, 0}, look_at_m{0, 0, -1}, environment{0, 0, 0};
   SunOptions sun;
   std::optional<double> fov_deg;
@@ -92,7 +94,7 @@ SceneDefinition scene_of(const PictureOptions& options, const std::filesystem::p
   SceneDefinition scene;
   scene.name = "picture";
   scene.path = path;
-  scene.materials = options.materials == "gltf" ? MaterialModel::gltf : MaterialModel::diffuse;
+  scene.materials = options.materials;
   scene.environment_radiance = options.environment;
   scene.bounces = options.bounces;
   scene.albedo = options.albedo;
@@ -317,11 +319,9 @@ void add_picture_command(CLI::App& app) {
   add_camera_options(*command, *options);
   add_view_options(*command, options->view);
   add_light_options(*command, *options);
-  command
-      ->add_option("--materials", options->materials,
-                   "gltf: metals, gloss and normal maps; diffuse: base colours alone")
-      ->check(CLI::IsMember({"gltf", "diffuse"}))
-      ->capture_default_str();
+  add_choice(*command, "--materials", options->materials,
+             std::array{MaterialModel::gltf, MaterialModel::diffuse},
+             "gltf: metals, gloss and normal maps; diffuse: base colours alone");
   add_transparent_option(*command, options->transparent, "of the scene and the objects");
   add_number(*command, "--albedo", options->albedo, {0, 1}, "of meshes without a material")
       ->capture_default_str();

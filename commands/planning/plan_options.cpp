@@ -1,8 +1,10 @@
 #include "commands/planning/plan_options.h"
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <set>
 
+#include "commands/options/setting_option.h"
 #include "support/text/error.h"
 #include "support/text/number_option.h"
 
@@ -63,7 +65,8 @@ std::vector<CLI::Option*> add_plan_options(CLI::App& command, PlanOptions& optio
   const std::vector<CLI::Option*> others = {
       command
           .add_option("--estimator", options.estimator, "which analysis is foreseen: joint or straight-lines")
-          ->check(CLI::IsMember({"joint", "straight-lines"}))
+          ->check(
+              CLI::IsMember(option_words(std::array{PlanEstimator::joint, PlanEstimator::straight_lines})))
           ->capture_default_str(),
       add_number(command, "--wanted-octaves", request.wanted_length, {0.01, 1000},
                  "length of the 95 % intervals (on linear axes in the level's unit)")

@@ -3,8 +3,10 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <filesystem>
 
+#include "commands/options/setting_option.h"
 #include "commands/photographs/asset_root_option.h"
 #include "stimuli/study_file/study_file.h"
 #include "support/text/number_option.h"
@@ -23,13 +25,10 @@ void add_render_options(CLI::App& command, RenderOptions& options) {
              "instead of a number of samples: sample until each picture's estimated error is below "
              "this (display units, 0 to 1) and below three times this in its worst 32 x 32 tile")
       ->excludes("--spp");
-  command
-      .add_option("--estimator", options.estimator,
-                  "fast: shared and filtered; path: unbiased, for reference")
-      ->check(CLI::IsMember({"fast", "path"}))
-      ->capture_default_str();
-  command.add_option("--mesh", options.mesh, "depth mesh, instead of the study's")
-      ->check(CLI::IsMember({"adaptive", "full"}));
+  add_choice(command, "--estimator", options.estimator, std::array{Estimator::fast, Estimator::path},
+             "fast: shared and filtered; path: unbiased, for reference");
+  add_choice(command, "--mesh", options.mesh, std::array{MeshDensity::adaptive, MeshDensity::full},
+             "depth mesh, instead of the study's");
   command
       .add_option("--no-omit", options.no_omit,
                   "turn off an omission that --explain names; may be given several times")
@@ -47,21 +46,20 @@ RenderRequest request_of(const RenderOptions& options) {
       .set_folder = options.set, .only = options.only, .threads = options.threads, .layers = options.layers};
   if (options.spp > 0) request.spp = options.spp;
   if (options.error > 0) request.error = options.error;
-  request.estimator = options.estimator == "path" ? Estimator::path : Estimator::fast;
-  if (!options.mesh.empty())
-    request.mesh = options.mesh == "full" ? MeshDensity::full : MeshDensity::adaptive;
+  request.estimator = options.estimator;
+  request.mesh = options.mesh;
   request.omit = omissions_without(options.no_omit);
   return request;
 }
 
 std::vector<std::string> options_for_pieces(const RenderOptions& options) {
-  std::vector<std::string> out = {"--estimator=" + options.estimator};
+  std::vector<std::string> out = {"--estimator=" + std::string(word(options.estimator))};
   const auto add = [&](const char* name, const std::string& value) {
     if (!value.empty()) out.push_back(std::string(name) + "=" + value);
   };
   if (!options.asset_root.empty()) add("--asset-root", fs::absolute(options.asset_root).string());
   add("--only", options.only);
-  add("--mesh", options.mesh);
+  if (options.mesh) add("--mesh", std::string(word(*options.mesh)));
   if (options.spp > 0) add("--spp", std::to_string(options.spp));
   if (options.error > 0) add("--error", fmt::format("{}", options.error));
   for (const std::string& name : options.no_omit) add("--no-omit", name);

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,9 @@ namespace seamline::renderer {
 
 /// What `seamline render` and `seamline job` are told of a set.
 struct RenderOptions {
-  std::string study, asset_root, set, only, mesh, estimator = "fast";
+  std::string study, asset_root, set, only;
+  std::optional<MeshDensity> mesh;
+  Estimator estimator = Estimator::fast;
   double error = 0;
   int threads = 0, spp = 0;
   std::vector<std::string> no_omit;

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Geometry>
+#include <array>
 #include <string_view>
 
 namespace seamline::live {
@@ -7,7 +8,8 @@ namespace seamline::live {
 /// How a generated recording's camera moves. `still`: not. `orbit`: about a vertical line through a point.
 /// `sweep`: to its right. `approach`: forwards.
 enum class PathKind { still, orbit, sweep, approach };
-inline constexpr int path_kind_count = 4;
+inline constexpr std::array every_path_kind = {PathKind::still, PathKind::orbit, PathKind::sweep,
+                                               PathKind::approach};
 [[nodiscard]] std::string_view word(PathKind kind);
 
 struct CameraPath {

@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "registration/files/other_cameras.h"
 #include "registration/files/pose_table.h"
 #include "sensors/files/depth_units.h"
+#include "sensors/files/depth_words.h"
 #include "sensors/noise/measurement.h"
 #include "sensors/rig/presets.h"
 #include "support/files/atomic_file.h"
@@ -38,6 +42,16 @@ Value word(const TomlTable& table, const std::string& key,
     known += (known.empty() ? "\"" : " or \"") + std::string(name) + "\"";
   }
   throw table.complaint(key, known, "\"" + found + "\"");
+}
+
+/// The same of an enumeration, whose words stand in its order.
+template <class Value, std::size_t count>
+Value word(const TomlTable& table, const std::string& key, const std::array<std::string_view, count>& words) {
+  const std::string text = table.text(key);
+  const auto found = std::find(words.begin(), words.end(), text);
+  if (found == words.end())
+    throw table.complaint(key, fmt::format("\"{}\"", fmt::join(words, "\" or \"")), "\"" + text + "\"");
+  return static_cast<Value>(found - words.begin());
 }
 
 double required(const TomlTable& table, const std::string& key, const std::optional<double>& known,
@@ -135,11 +149,9 @@ CameraFile camera_file_of(const TomlTable& table, const std::string& file) {
   const double shift_px =
       table.has("pixel_centres") ? word<double>(table, "pixel_centres", {{"half", 0}, {"integer", 0.5}}) : 0;
   if (table.has("convention"))
-    cameras.convention = word<DepthConvention>(
-        table, "convention", {{"radial", DepthConvention::radial}, {"planar", DepthConvention::planar}});
+    cameras.convention = word<DepthConvention>(table, "convention", sensors::words_of_conventions);
   if (table.has("packing"))
-    cameras.packing = word<DepthPacking>(
-        table, "packing", {{"whole", DepthPacking::whole}, {"red_green", DepthPacking::red_green}});
+    cameras.packing = word<DepthPacking>(table, "packing", sensors::words_of_packings);
   if (table.has("metres_per_step")) cameras.metres_per_step = table.number("metres_per_step", 0, any_step_m);
   if (table.has("nearest_m")) cameras.nearest_m = table.number("nearest_m", 0, any_distance_m);
   if (table.has("farthest_m")) cameras.farthest_m = table.number("farthest_m", 0, any_distance_m);
@@ -222,12 +234,8 @@ std::string camera_file_text(const CameraFile& cameras, const std::string& remar
     at = end + 1;
   }
   text += fmt::format("format = \"{}\"\n", format_text);
-  if (cameras.convention)
-    text += fmt::format("convention = \"{}\"\n",
-                        *cameras.convention == DepthConvention::radial ? "radial" : "planar");
-  if (cameras.packing)
-    text +=
-        fmt::format("packing = \"{}\"\n", *cameras.packing == DepthPacking::whole ? "whole" : "red_green");
+  if (cameras.convention) text += fmt::format("convention = \"{}\"\n", sensors::word(*cameras.convention));
+  if (cameras.packing) text += fmt::format("packing = \"{}\"\n", sensors::word(*cameras.packing));
   for (const auto& [key, value] :
        {std::pair{"metres_per_step", cameras.metres_per_step}, std::pair{"nearest_m", cameras.nearest_m},
         std::pair{"farthest_m", cameras.farthest_m}})

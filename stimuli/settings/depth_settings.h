@@ -1,6 +1,7 @@
 #pragma once
 #include "stimuli/settings/estimate_settings.h"
 #include "stimuli/settings/noise_settings.h"
+#include "stimuli/settings/pipeline_settings.h"
 #include "stimuli/settings/repair_settings.h"
 
 namespace seamline::inline stimuli {
@@ -12,15 +13,13 @@ template <>
 inline constexpr std::array<std::string_view, 8> words_of<Reduction> = {
     "sample", "minimum", "maximum", "median", "edge_aware", "boxes", "jumps", "budgeted"};
 template <>
-inline constexpr std::array<std::string_view, 2> words_of<sensors::DepthConvention> = {"radial", "planar"};
+inline constexpr auto words_of<sensors::DepthConvention> = sensors::words_of_conventions;
 template <>
 inline constexpr std::array<std::string_view, 2> words_of<RepairGuide> = {"own_light", "photograph"};
 template <>
 inline constexpr std::array<std::string_view, 3> words_of<Registration> = {"none", "points", "mesh"};
 template <>
 inline constexpr std::array<std::string_view, 3> words_of<Jumps> = {"stretch", "cut", "layer"};
-inline constexpr std::array<std::string_view, 3> words_of_depth_occlusion = {"mesh", "depth_test",
-                                                                             "depth_buffer"};
 
 /// A word that is another than before begins with a buffer of its own.
 void choose_occlusion(DepthChain& chain, std::size_t place);
@@ -359,10 +358,12 @@ inline constexpr auto settings_of<DepthChain> = std::to_array<Setting<DepthChain
      .meaning = "Repairs the registered picture and not the sensor's.",
      .wording = {.before = "; repair after registration", .written = Written::where_unusual, .yes = ""}},
     {.key = "occlusion",
-     .slot = Choice<DepthChain>{.words = words_of_depth_occlusion,
-                                .place = [](const DepthChain& chain) { return place_of(chain.occlusion); },
-                                .choose = choose_occlusion,
-                                .parameters = buffer_text},
+     .slot =
+         Choice<DepthChain>{
+             .words = words_among<Occlusion::mesh, Occlusion::depth_test, Occlusion::depth_buffer>,
+             .place = [](const DepthChain& chain) { return place_of(chain.occlusion); },
+             .choose = choose_occlusion,
+             .parameters = buffer_text},
      .meaning = "Who is in front: the mesh, or a test a pixel of depth against the object's. A sensor beside "
                 "the photograph needs a registration for a test.",
      .wording = {.before = "; occlusion ", .written = Written::where_unusual}},

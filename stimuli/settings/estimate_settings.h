@@ -1,14 +1,14 @@
 #pragma once
+#include "sensors/files/depth_words.h"
 #include "stimuli/definition/depth_chain.h"
 #include "stimuli/settings/settings_text.h"
 
 namespace seamline::inline stimuli {
 
 template <>
-inline constexpr std::array<std::string_view, 3> words_of<sensors::DepthValue> = {"metres", "inverse",
-                                                                                  "relative"};
+inline constexpr auto words_of<sensors::DepthValue> = sensors::words_of_values;
 template <>
-inline constexpr std::array<std::string_view, 2> words_of<sensors::DepthPacking> = {"whole", "red_green"};
+inline constexpr auto words_of<sensors::DepthPacking> = sensors::words_of_packings;
 template <>
 inline constexpr std::array<std::string_view, 2> words_of<EstimateAlignment> = {"none", "least_squares"};
 

@@ -10,9 +10,7 @@ std::string fault_of_light_count(const Pipeline& pipeline) {
 }
 
 std::string_view word(Occlusion occlusion) {
-  constexpr std::array<std::string_view, 7> words = {"mesh", "depth_test", "depth_buffer", "ghosts",
-                                                     "mask", "edges",      "none"};
-  return words.at(static_cast<std::size_t>(occlusion));
+  return word_of(occlusion);
 }
 std::string_view word(PipelineShadows shadows) {
   return word_of(shadows);

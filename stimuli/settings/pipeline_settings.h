@@ -4,8 +4,9 @@
 
 namespace seamline::inline stimuli {
 
-inline constexpr std::array<std::string_view, 3> words_of_pipeline_occlusion = {"mesh", "depth_test",
-                                                                                "ghosts"};
+template <>
+inline constexpr std::array<std::string_view, 7> words_of<Occlusion> = {
+    "mesh", "depth_test", "depth_buffer", "ghosts", "mask", "edges", "none"};
 template <>
 inline constexpr std::array<std::string_view, 3> words_of<PipelineShadows> = {"traced", "shadow_map",
                                                                               "occlusion_field"};
@@ -27,8 +28,7 @@ inline constexpr std::array<std::string_view, 3> words_of<PipelineCompositing> =
 template <>
 inline constexpr auto settings_of<Pipeline> = std::to_array<Setting<Pipeline>>({
     {.key = "occlusion",
-     .slot = one_of<&Pipeline::occlusion, Occlusion::mesh, Occlusion::depth_test, Occlusion::ghosts>(
-         words_of_pipeline_occlusion),
+     .slot = one_of<&Pipeline::occlusion, Occlusion::mesh, Occlusion::depth_test, Occlusion::ghosts>(),
      .meaning = "Rays; a test a pixel against measured depth; the mesh drawn first into a depth buffer.",
      .wording = {.before = ", occlusion ", .written = Written::where_unusual}},
     {.key = "shadows",

@@ -6,7 +6,8 @@
 namespace seamline::inline stimuli {
 
 template <>
-inline constexpr std::array<std::string_view, 2> words_of<MaterialModel> = {"diffuse", "gltf"};
+inline constexpr std::array<std::string_view, 2> words_of<MaterialModel> = {word(MaterialModel::diffuse),
+                                                                            word(MaterialModel::gltf)};
 
 [[nodiscard]] std::string fault_of_cone(const LampDefinition& lamp);
 

@@ -84,6 +84,16 @@ template <auto member, auto... values>
                            }};
 }
 
+/// The words of some values.
+template <auto... values>
+inline constexpr std::array<std::string_view, sizeof...(values)> words_among = {word_of(values)...};
+
+/// The same, each by its own word.
+template <auto member, auto... values>
+[[nodiscard]] constexpr auto one_of() {
+  return one_of<member, values...>(words_among<values...>);
+}
+
 /// The settings of a member that is a struct.
 template <auto member>
 [[nodiscard]] constexpr auto part() {

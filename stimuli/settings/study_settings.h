@@ -9,7 +9,8 @@ inline constexpr std::array<std::string_view, 2> words_of<Isolation> = {"query",
 template <>
 inline constexpr std::array<std::string_view, 2> words_of<MeshDensity> = {"adaptive", "full"};
 template <>
-inline constexpr std::array<std::string_view, 3> words_of<MeshAlbedo> = {"constant", "truth", "photograph"};
+inline constexpr std::array<std::string_view, 3> words_of<MeshAlbedo> = {
+    word(MeshAlbedo::constant), word(MeshAlbedo::truth), word(MeshAlbedo::photograph)};
 
 /// It becomes part of file names.
 [[nodiscard]] std::string fault_of_name(const ConditionDefinition& condition);

@@ -1,10 +1,12 @@
 #pragma once
+#include "stimuli/definition/axis.h"
 #include "stimuli/definition/study_definition.h"
 #include "stimuli/settings/settings_text.h"
 
 namespace seamline::inline stimuli {
 
-inline constexpr std::array<std::string_view, 2> words_of_noticeability = {"falls", "rises"};
+inline constexpr std::array<std::string_view, 2> words_of_noticeability = {
+    noticeability_word(Direction::decreasing), noticeability_word(Direction::increasing)};
 
 [[nodiscard]] std::string midpoints_text(const ObserverDefinition& observer);
 [[nodiscard]] bool has_no_midpoints(const ObserverDefinition& observer);
