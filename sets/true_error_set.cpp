@@ -26,8 +26,8 @@ namespace seamline::renderer {
 namespace {
 
 /// What shares a scene, a truth pass and a depth mesh comes together.
-using Key = std::tuple<std::string, int, DepthSettings>;  // truth, object, mesh
-using Groups = std::map<Key, std::vector<ManifestStimulus>>;
+using MeshKey = std::tuple<std::string, int, DepthSettings>;  // truth, object, mesh
+using Groups = std::map<MeshKey, std::vector<ManifestStimulus>>;
 
 Groups unmeasured(const StudyDefinition& study, const Manifest& manifest, const TrueErrorRequest& request,
                   const TrueErrors& known) {
@@ -59,9 +59,9 @@ Groups unmeasured(const StudyDefinition& study, const Manifest& manifest, const 
   return groups;
 }
 
-class Measuring {
+class ErrorMeasuring {
  public:
-  Measuring(const StudyDefinition& study, const TrueErrorRequest& request)
+  ErrorMeasuring(const StudyDefinition& study, const TrueErrorRequest& request)
       : study_(study),
         request_(request),
         threads_(request.threads > 0 ? request.threads : default_thread_count()),
@@ -72,7 +72,7 @@ class Measuring {
     forget_changed(manifest);
     const Groups groups = unmeasured(study_, manifest, request_, errors_);
     double work = 0;
-    for (const auto& [key, records] : groups) work += 1 + static_cast<double>(records.size());
+    for (const auto& [key, records] : groups) work += 1 + records.size();
     progress_.emplace("true errors of " + study_.name, work);
     for (const SceneDefinition& scene : list_truths(study_)) measure_scene(scene, groups);
     progress_.reset();
@@ -175,7 +175,7 @@ class Measuring {
 }  // namespace
 
 void measure_true_errors(const StudyDefinition& study, const TrueErrorRequest& request) {
-  Measuring(study, request).run();
+  ErrorMeasuring(study, request).run();
 }
 
 }  // namespace seamline::renderer

@@ -29,7 +29,7 @@ ImU32 code(Colour colour) {
   return IM_COL32(colour.red, colour.green, colour.blue, colour.alpha);
 }
 
-ImTextureID name_of(const Texture& texture) {
+ImTextureID name_of(const WindowTexture& texture) {
   return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture.name()));
 }
 
@@ -50,7 +50,7 @@ struct Canvas::State {
   /// A text as it was last arranged. Its lines are drawn when they are first seen.
   struct KeptText {
     ArrangedText arranged;
-    std::vector<std::optional<Texture>> textures = {};
+    std::vector<std::optional<WindowTexture>> textures = {};
     std::vector<Coverage> frames = {};  ///< of the textures
     std::int64_t frame = 0;             ///< in which it was last asked for
   };
@@ -158,7 +158,7 @@ void Canvas::line(Point from, Point to, Colour colour, double thickness_px) {
                                           code(colour), static_cast<float>(thickness_px));
 }
 
-void Canvas::picture(const Texture& texture, const Rect& rect) {
+void Canvas::picture(const WindowTexture& texture, const Rect& rect) {
   ImGui::GetBackgroundDrawList()->AddImage(name_of(texture), vector(rect.x_px, rect.y_px),
                                            vector(rect.right_px(), rect.bottom_px()));
 }

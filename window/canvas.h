@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "window/geometry.h"
-#include "window/texture.h"
 #include "window/type/find_font.h"
+#include "window/window_texture.h"
 
 namespace seamline::inline window {
 
@@ -36,7 +36,7 @@ class Canvas {
   void outline(const Rect& rect, Colour colour, double thickness_px, double rounding_px = 0);
   void line(Point from, Point to, Colour colour, double thickness_px);
   /// The picture, each of its pixels on one of the screen's when `rect` has its size and integer corners.
-  void picture(const Texture& texture, const Rect& rect);
+  void picture(const WindowTexture& texture, const Rect& rect);
   /// Text from its top left corner, broken into lines of at most `wrap_px` (0: not broken). Of languages that
   /// run from right to left, lines stand at the right of `wrap_px`.
   void text(Font font, Point top_left, std::string_view text, Colour colour, double wrap_px = 0);

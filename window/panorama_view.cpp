@@ -72,7 +72,7 @@ void PanoramaView::prepare() {
   glGenVertexArrays(1, &corners_);
 }
 
-void PanoramaView::draw(const Texture& panorama, const Rect& rect, Size framebuffer_px,
+void PanoramaView::draw(const WindowTexture& panorama, const Rect& rect, Size framebuffer_px,
                         const PanoramaPose& pose) {
   if (program_ == 0) prepare();
   const int x_px = static_cast<int>(rect.x_px), width_px = static_cast<int>(rect.width_px),

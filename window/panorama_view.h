@@ -2,7 +2,7 @@
 #include <array>
 
 #include "window/geometry.h"
-#include "window/texture.h"
+#include "window/window_texture.h"
 
 namespace seamline::inline window {
 
@@ -22,7 +22,7 @@ class PanoramaView {
   PanoramaView& operator=(const PanoramaView&) = delete;
 
   /// `rect` has integer corners. Throws InputError where the graphics cannot.
-  void draw(const Texture& panorama, const Rect& rect, Size framebuffer_px, const PanoramaPose& pose);
+  void draw(const WindowTexture& panorama, const Rect& rect, Size framebuffer_px, const PanoramaPose& pose);
 
  private:
   void prepare();

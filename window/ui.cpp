@@ -182,7 +182,7 @@ Rect Ui::room(double width_px, double height_px) {
   return rect;
 }
 
-void Ui::picture(const Texture& texture) {
+void Ui::picture(const WindowTexture& texture) {
   const double scale = std::min(1.0, card_.width_px / texture.width_px());
   canvas_.picture(texture, room(texture.width_px() * scale, texture.height_px() * scale));
   gap(0.6);

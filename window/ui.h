@@ -49,7 +49,7 @@ class Ui {
   void note(std::string_view text);
   void problem(std::string_view text);
   void gap(double em);
-  void picture(const Texture& texture);
+  void picture(const WindowTexture& texture);
   /// Room for something that the caller draws.
   [[nodiscard]] Rect room(double width_px, double height_px);
 

@@ -27,7 +27,7 @@ std::optional<Similarity> similarity_of(const Eigen::Affine3d& transform) {
 }
 
 /// bound_of_parent * place * bound^-1 as a Transform about the joint's centre.
-X3dJointPlace x3d_place(const Similarity& parent, const Similarity& bound, const JointPlace& place) {
+X3dJointPose x3d_place(const Similarity& parent, const Similarity& bound, const JointPose& place) {
   return {.translation_m = parent.transform * place.translation - bound.transform.translation(),
           .rotation = (parent.rotation * place.rotation * bound.rotation.conjugate()).normalized(),
           .scale = parent.scale / bound.scale * place.scale};
@@ -95,7 +95,7 @@ X3dFigure x3d_figure(const X3dSubject& subject, std::span<const std::vector<floa
     to.centre_m = bound[j].transform.translation();
     to.scale_axes = bound[j].rotation;
     to.place = x3d_place(above, bound[j], joint.place);
-    for (const JointPlace& key : joint.keys) to.keys.push_back(x3d_place(above, bound[j], key));
+    for (const JointPose& key : joint.keys) to.keys.push_back(x3d_place(above, bound[j], key));
   }
   for (std::size_t m = 0; m < figure.meshes.size(); ++m)
     add_mesh(figure.meshes[m], *subject.objects[m], openness[m], to_x3d, out);

@@ -9,7 +9,7 @@
 namespace seamline::renderer {
 
 /// Where an HAnimJoint is, as a Transform of X3D: translation, then rotation and scale about its centre.
-struct X3dJointPlace {
+struct X3dJointPose {
   Eigen::Vector3d translation_m = Eigen::Vector3d::Zero();
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();
@@ -21,8 +21,8 @@ struct X3dJoint {
   int parent = -1;
   Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();
   Eigen::Quaterniond scale_axes = Eigen::Quaterniond::Identity();  ///< along which it is scaled
-  X3dJointPlace place = {};
-  std::vector<X3dJointPlace> keys = {};
+  X3dJointPose place = {};
+  std::vector<X3dJointPose> keys = {};
 };
 
 /// A figure in the frame of X3D: vertices of all meshes in one row, each mesh's own behind those before it.

@@ -48,12 +48,12 @@ class HumanoidText {
     std::string text =
         fmt::format("<HAnimJoint DEF=\"hanim_{0}\" name=\"{0}\" containerField=\"{1}\" center=\"{2}\"",
                     joint.name, joint.parent < 0 ? "skeleton" : "children", field_text(joint.centre_m));
-    const X3dJointPlace& place = joint.place;
+    const X3dJointPose& place = joint.place;
     if (!stays(place.translation_m, Eigen::Vector3d::Zero()))
       text += " translation=\"" + field_text(place.translation_m) + "\"";
     if (const std::string turn = turn_text(place.rotation); turn != "0 0 1 0")
       text += " rotation=\"" + turn + "\"";
-    if (!stays(place.scale, Eigen::Vector3d::Ones()) || is_keyed(joint, &X3dJointPlace::scale))
+    if (!stays(place.scale, Eigen::Vector3d::Ones()) || is_keyed(joint, &X3dJointPose::scale))
       text += " scale=\"" + field_text(place.scale) + "\" scaleOrientation=\"" + turn_text(joint.scale_axes) +
               "\"";
     if (!holds_[number].empty()) {
@@ -91,29 +91,29 @@ class HumanoidText {
         "<TimeSensor id=\"figure_clock\" DEF=\"figure_clock\" cycleInterval=\"{}\" loop=\"true\"></TimeSensor>\n",
         field_text(figure_.cycle_s));
     for (const X3dJoint& joint : figure_.joints) {
-      if (std::any_of(joint.keys.begin(), joint.keys.end(), [&](const X3dJointPlace& key) {
+      if (std::any_of(joint.keys.begin(), joint.keys.end(), [&](const X3dJointPose& key) {
             return key.rotation.angularDistance(joint.place.rotation) > 1e-7;
           }))
         text += moved(joint, "rotation", "Orientation",
-                      [](const X3dJointPlace& key) { return turn_text(key.rotation); });
-      if (is_keyed(joint, &X3dJointPlace::translation_m))
+                      [](const X3dJointPose& key) { return turn_text(key.rotation); });
+      if (is_keyed(joint, &X3dJointPose::translation_m))
         text += moved(joint, "translation", "Position",
-                      [](const X3dJointPlace& key) { return field_text(key.translation_m); });
-      if (is_keyed(joint, &X3dJointPlace::scale))
+                      [](const X3dJointPose& key) { return field_text(key.translation_m); });
+      if (is_keyed(joint, &X3dJointPose::scale))
         text +=
-            moved(joint, "scale", "Position", [](const X3dJointPlace& key) { return field_text(key.scale); });
+            moved(joint, "scale", "Position", [](const X3dJointPose& key) { return field_text(key.scale); });
     }
     return text;
   }
 
  private:
-  [[nodiscard]] static bool is_keyed(const X3dJoint& joint, Eigen::Vector3d X3dJointPlace::*member) {
+  [[nodiscard]] static bool is_keyed(const X3dJoint& joint, Eigen::Vector3d X3dJointPose::*member) {
     return std::any_of(joint.keys.begin(), joint.keys.end(),
-                       [&](const X3dJointPlace& key) { return !stays(key.*member, joint.place.*member); });
+                       [&](const X3dJointPose& key) { return !stays(key.*member, joint.place.*member); });
   }
 
   [[nodiscard]] std::string moved(const X3dJoint& joint, const char* field, const char* kind,
-                                  const std::function<std::string(const X3dJointPlace&)>& value) const {
+                                  const std::function<std::string(const X3dJointPose&)>& value) const {
     std::string key, values;
     for (std::size_t i = 0; i < figure_.fractions.size(); ++i) {
       key += field_text(figure_.fractions[i]) + " ";

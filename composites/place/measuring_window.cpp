@@ -13,9 +13,9 @@
 #include "support/running/interrupt.h"
 #include "support/text/error.h"
 #include "window/look.h"
-#include "window/texture.h"
 #include "window/type/find_font.h"
 #include "window/window.h"
+#include "window/window_texture.h"
 
 namespace seamline::place {
 namespace {
@@ -131,7 +131,7 @@ class Measurer {
   double aspect_;
   Window window_;
   Canvas canvas_;
-  Texture texture_;
+  WindowTexture texture_;
   Measuring measuring_;
   bool fits_ = false;
   std::string said_;

@@ -13,7 +13,7 @@ Rect picture_in(const Size& screen_px, double aspect) {
           width_px / aspect};
 }
 
-void draw_page(Canvas& canvas, const Rect& picture, const Texture& texture, const Size& screen_px,
+void draw_page(Canvas& canvas, const Rect& picture, const WindowTexture& texture, const Size& screen_px,
                const Bar& bar) {
   canvas.picture(texture, picture);
   const double y_px = screen_px.height_px - bar_px + margin_px;

@@ -19,7 +19,7 @@ struct Bar {
 /// A picture of this shape, as large as fits above the bar.
 [[nodiscard]] Rect picture_in(const Size& screen_px, double aspect);
 
-void draw_page(Canvas& canvas, const Rect& picture, const Texture& texture, const Size& screen_px,
+void draw_page(Canvas& canvas, const Rect& picture, const WindowTexture& texture, const Size& screen_px,
                const Bar& bar);
 
 }  // namespace seamline::place

@@ -170,7 +170,7 @@ class Placer {
   double aspect_;
   Window window_;
   Canvas canvas_;
-  Texture texture_;
+  WindowTexture texture_;
   renderer::PlacePreview preview_;
   renderer::Placing placing_;
   Dragging dragging_;

@@ -36,11 +36,11 @@ Eigen::Vector3d map_direction(int x, int y) {
   return {std::sin(polar) * std::sin(azimuth), std::cos(polar), -std::sin(polar) * std::cos(azimuth)};
 }
 
-class Canvas {
+class FieldSheet {
  public:
-  Canvas(int width_px, int height_px)
+  FieldSheet(int width_px, int height_px)
       : picture{.width_px = width_px, .height_px = height_px, .channels = 3, .values = {}} {
-    picture.values.assign(static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px) * 3, 255);
+    picture.values.assign(width_px * static_cast<std::size_t>(height_px) * 3, 255);
   }
   void set(int x, int y, const Colour& colour) {
     if (x < 0 || y < 0 || x >= picture.width_px || y >= picture.height_px) return;
@@ -75,7 +75,7 @@ Colour grey(double share) {
 
 /// The object from a little above, lit from the eye, with the shell's samples before and behind it.
 void draw_view(const Geometry& object, const Eigen::Vector3f& centre_m, float shell_m, int threads,
-               Canvas& canvas) {
+               FieldSheet& canvas) {
   const Eigen::Vector3f back = Eigen::Vector3f(0.45F, 0.35F, 1).normalized();
   const Eigen::Vector3f right = Eigen::Vector3f::UnitY().cross(back).normalized(), up = back.cross(right);
   const float eye_distance_m = 5 * shell_m, half = 1.15F * shell_m;  // parallel rays from there
@@ -109,8 +109,8 @@ FieldFigure field_figure(const Geometry& object, const Eigen::Vector3f& centre_m
                          double shell, int threads) {
   const float shell_m = static_cast<float>(shell) * radius_m;
   const int columns = 1 + static_cast<int>(bands_shown.size());
-  Canvas canvas(view_px + columns * (map_width_px + field_gap_px) + field_gap_px,
-                std::max(view_px, 3 * (map_height_px + field_gap_px) + field_gap_px));
+  FieldSheet canvas(view_px + columns * (map_width_px + field_gap_px) + field_gap_px,
+                    std::max(view_px, 3 * (map_height_px + field_gap_px) + field_gap_px));
   draw_view(object, centre_m, shell_m, threads, canvas);
   FieldFigure figure{.picture = {}, .bands = {bands_shown.begin(), bands_shown.end()}, .rms = {}};
   std::vector<OcclusionField> fields;
@@ -146,8 +146,7 @@ FieldFigure field_figure(const Geometry& object, const Eigen::Vector3f& centre_m
         canvas.set(left(0) + x, top + y, grey(visible));
         for (std::size_t b = 0; b < kept.size(); ++b) {
           double value = 0;
-          for (std::size_t k = 0; k < kept[b].size(); ++k)
-            value += static_cast<double>(kept[b][k]) * harmonics[k];
+          for (std::size_t k = 0; k < kept[b].size(); ++k) value += kept[b][k] * harmonics[k];
           squares[b] += weight * (value - visible) * (value - visible);
           canvas.set(left(b + 1) + x, top + y, grey(value));
         }

@@ -43,8 +43,7 @@ std::array<Squares, 3> squares_of(const MarkerBoard& board) {
   for (int row = -1; row <= marker_squares; ++row)
     for (int column = -1; column <= marker_squares; ++column) {
       const bool margin = row < 0 || column < 0 || row == marker_squares || column == marker_squares;
-      const bool white =
-          margin || marker_pattern[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] != 0;
+      const bool white = margin || marker_pattern[row][column] != 0;
       parts[white ? 1 : 0].add((column - 0.5 * marker_squares) * square_m,
                                (0.5 * marker_squares - 1 - row) * square_m, square_m, square_m, 0);
     }

@@ -24,7 +24,7 @@ constexpr int limb_corners = 28, rings = 8;  ///< of a limb, and of each of its 
 constexpr const char* light_extension = "KHR_lights_punctual";
 
 /// Triangles of one colour.
-struct Part {
+struct PersonPart {
   std::string name;
   std::array<double, 3> albedo = {0.5, 0.5, 0.5};
   std::vector<Eigen::Vector3f> positions_m = {}, normals = {};
@@ -38,8 +38,8 @@ struct Part {
 };
 
 /// A limb from one ball to another.
-void add_limb(Part& part, const Eigen::Vector3d& from_m, double from_radius_m, const Eigen::Vector3d& to_m,
-              double to_radius_m) {
+void add_limb(PersonPart& part, const Eigen::Vector3d& from_m, double from_radius_m,
+              const Eigen::Vector3d& to_m, double to_radius_m) {
   const Eigen::Vector3d along = to_m == from_m ? Eigen::Vector3d::UnitY() : (to_m - from_m).normalized();
   const Eigen::Vector3d right = along.unitOrthogonal(), up = along.cross(right);
   const auto first = static_cast<std::uint32_t>(part.positions_m.size());
@@ -67,7 +67,7 @@ void add_limb(Part& part, const Eigen::Vector3d& from_m, double from_radius_m, c
     }
 }
 
-void add_box(Part& part, const Eigen::Vector3d& low_m, const Eigen::Vector3d& high_m) {
+void add_box(PersonPart& part, const Eigen::Vector3d& low_m, const Eigen::Vector3d& high_m) {
   const Eigen::Vector3d middle_m = 0.5 * (low_m + high_m), half_m = 0.5 * (high_m - low_m);
   for (int axis = 0; axis < 3; ++axis)
     for (const double side : {-1.0, 1.0}) {
@@ -97,12 +97,12 @@ std::pair<double, double> radii_m(const std::string& joint) {
   return found == known.end() ? std::pair(0.05, 0.05) : found->second;
 }
 
-Part figure_of(const PersonScene& person) {
+PersonPart figure_of(const PersonScene& person) {
   const std::vector<PlacedJoint> placed = sensors::place_joints(person.skeleton, person.pose);
-  Part figure{.name = "person", .albedo = {0.36, 0.22, 0.2}};
+  PersonPart figure{.name = "person", .albedo = {0.36, 0.22, 0.2}};
   for (std::size_t i = 1; i < placed.size(); ++i) {
     const sensors::Joint& joint = person.skeleton.joints[i];
-    const PlacedJoint& start = placed[static_cast<std::size_t>(joint.parent)];
+    const PlacedJoint& start = placed[joint.parent];
     const auto [from_m, to_m] = radii_m(joint.name);
     add_limb(figure, start.position_m, from_m, placed[i].position_m, to_m);
     if (!joint.name.ends_with("foot")) continue;
@@ -112,18 +112,18 @@ Part figure_of(const PersonScene& person) {
   return figure;
 }
 
-std::vector<Part> room() {
+std::vector<PersonPart> room() {
   constexpr double floor_m = -1.3, wall_m = -4.2, side_m = 2.2, ceiling_m = 1.5, thick_m = 0.1;
-  Part floor{.name = "floor", .albedo = {0.45, 0.38, 0.3}};
+  PersonPart floor{.name = "floor", .albedo = {0.45, 0.38, 0.3}};
   add_box(floor, {-side_m, floor_m - thick_m, wall_m}, {side_m, floor_m, 1});
-  Part walls{.name = "walls", .albedo = {0.62, 0.64, 0.6}};
+  PersonPart walls{.name = "walls", .albedo = {0.62, 0.64, 0.6}};
   add_box(walls, {-side_m, floor_m, wall_m - thick_m}, {side_m, ceiling_m, wall_m});
   add_box(walls, {-side_m - thick_m, floor_m, wall_m}, {-side_m, ceiling_m, -2.6});
-  Part table{.name = "table", .albedo = {0.3, 0.18, 0.09}};
+  PersonPart table{.name = "table", .albedo = {0.3, 0.18, 0.09}};
   add_box(table, {0.35, -0.62, -2.35}, {1.35, -0.57, -1.75});
   for (const double x : {0.4, 1.25})
     for (const double z : {-2.3, -1.85}) add_box(table, {x, floor_m, z}, {x + 0.05, -0.62, z + 0.05});
-  Part box{.name = "box", .albedo = {0.12, 0.3, 0.45}};
+  PersonPart box{.name = "box", .albedo = {0.12, 0.3, 0.45}};
   add_box(box, {0.85, -0.57, -2.2}, {1.15, -0.3, -1.95});
   return {floor, walls, table, box};
 }
@@ -148,7 +148,7 @@ void add_node(tinygltf::Model& model, const tinygltf::Node& node) {
   model.nodes.push_back(node);
 }
 
-void add_part(tinygltf::Model& model, const Part& part) {
+void add_part(tinygltf::Model& model, const PersonPart& part) {
   tinygltf::Material material;
   material.name = part.name;
   material.pbrMetallicRoughness.baseColorFactor = {part.albedo[0], part.albedo[1], part.albedo[2], 1};
@@ -247,7 +247,7 @@ void write_person_scene(const std::filesystem::path& path, const PersonScene& pe
   model.buffers.emplace_back();
   model.scenes.emplace_back();
   model.defaultScene = 0;
-  for (const Part& part : room()) add_part(model, part);
+  for (const PersonPart& part : room()) add_part(model, part);
   add_part(model, figure_of(person));
   add_camera(model);
   add_sun(model);

@@ -7,8 +7,8 @@
 
 #include "live/frame/caster_blocks.h"
 #include "live/frame/codes.h"
-#include "live/frame/eye_picture.h"
 #include "live/frame/fitted_surface.h"
+#include "live/frame/live_eye.h"
 #include "live/frame/pixel_rays.h"
 #include "raytracer/common/parallel.h"
 #include "renderer/realtime/depth_normals.h"
@@ -63,7 +63,7 @@ void mark_row(const Window& window, const RowInWindow& row, const float* depth_m
 
 class Darkening {
  public:
-  Darkening(const ShadowPass& pass, EyePicture& eye)
+  Darkening(const ShadowPass& pass, LiveEye& eye)
       : scene_(pass.scene),
         shadows_(pass.shadows),
         surface_reach_px_(pass.surface_reach_px),
@@ -165,7 +165,7 @@ class Darkening {
   const LiveScene& scene_;
   const ShadowAnswers& shadows_;
   int surface_reach_px_;
-  EyePicture& eye_;
+  LiveEye& eye_;
   PixelRays rays_;
   std::size_t lights_;
   Rgb ambient_w_m2_;
@@ -176,7 +176,7 @@ class Darkening {
 
 }  // namespace
 
-void darken_shadows(const ShadowPass& pass, EyePicture& eye) {
+void darken_shadows(const ShadowPass& pass, LiveEye& eye) {
   if (pass.shadows.method == Shadows::none || pass.scene.light_count() == 0) return;
   Darkening darkening(pass, eye);
   renderer::parallel_for(eye.codes.height_px, pass.threads, [&](int y) { darkening.darken_row(y); });

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "live/frame/codes.h"
-#include "live/frame/eye_picture.h"
+#include "live/frame/live_eye.h"
 #include "live/frame/moving_objects.h"
 #include "live/frame/pixel_rays.h"
 #include "raytracer/common/parallel.h"
@@ -23,7 +23,7 @@ struct PixelBox {
 };
 
 /// The pixels in which some boxes lie, as an eye sees them; all where one reaches behind the eye.
-PixelBox box_of(const LiveScene& scene, const EyePicture& eye) {
+PixelBox box_of(const LiveScene& scene, const LiveEye& eye) {
   const Eigen::Array2i size(eye.codes.width_px, eye.codes.height_px);
   Eigen::Array2f least = Eigen::Array2f::Constant(std::numeric_limits<float>::infinity()), most = -least;
   for (const auto& mesh : scene.objects.meshes) {
@@ -55,7 +55,7 @@ PixelBox box_of(const LiveScene& scene, const EyePicture& eye) {
 
 class ObjectDrawing {
  public:
-  ObjectDrawing(const ObjectPass& pass, EyePicture& eye)
+  ObjectDrawing(const ObjectPass& pass, LiveEye& eye)
       : pass_(pass), eye_(eye), rays_(eye.view, eye.codes.width_px, eye.codes.height_px) {}
 
   void draw_row(int y, int first, int last) {
@@ -134,14 +134,14 @@ class ObjectDrawing {
   }
 
   const ObjectPass& pass_;
-  EyePicture& eye_;
+  LiveEye& eye_;
   PixelRays rays_;
   const CodeTables& codes_ = code_tables();
 };
 
 }  // namespace
 
-void draw_objects(const ObjectPass& pass, EyePicture& eye) {
+void draw_objects(const ObjectPass& pass, LiveEye& eye) {
   eye.covered.assign(eye.real.depth_m.size(), 0);
   const PixelBox box = box_of(pass.scene, eye);
   if ((box.first >= box.last).any()) return;

@@ -41,7 +41,7 @@ void take_colour(const ByteImage& colour, float x_px, float y_px, std::uint8_t* 
 }  // namespace
 
 void draw_other_eye(const renderer::TriangleSpan& local_scene, const renderer::DrawView& colour_view,
-                    const ByteImage& colour, int threads, EyePicture& eye) {
+                    const ByteImage& colour, int threads, LiveEye& eye) {
   const std::array<renderer::TriangleSpan, 1> meshes = {local_scene};
   renderer::draw_depth(eye.view, meshes, threads, eye.real);
   const int width_px = eye.codes.width_px;

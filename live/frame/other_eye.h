@@ -1,5 +1,5 @@
 #pragma once
-#include "live/frame/eye_picture.h"
+#include "live/frame/live_eye.h"
 
 namespace seamline::live {
 
@@ -8,6 +8,6 @@ namespace seamline::live {
 /// where there is no local scene, or where the colour camera shows nothing. `eye.view` says which eye;
 /// `eye.real` becomes the local scene's depth.
 void draw_other_eye(const renderer::TriangleSpan& local_scene, const renderer::DrawView& colour_view,
-                    const ByteImage& colour, int threads, EyePicture& eye);
+                    const ByteImage& colour, int threads, LiveEye& eye);
 
 }  // namespace seamline::live

@@ -25,7 +25,7 @@ LivePipeline::LivePipeline(const LoadedRecording& recording, LiveScene scene, co
       static_cast<std::size_t>(view_.width_px) * static_cast<std::size_t>(view_.height_px);
   frame_.registered = renderer::empty_picture(view_.width_px, view_.height_px);
   frame_.eyes.resize(settings_.views);
-  for (EyePicture& eye : frame_.eyes) {
+  for (LiveEye& eye : frame_.eyes) {
     eye.real = renderer::empty_picture(view_.width_px, view_.height_px);
     eye.ghosts = renderer::empty_picture(view_.width_px, view_.height_px);
     eye.codes = {.width_px = view_.width_px, .height_px = view_.height_px, .channels = 3, .values = {}};
@@ -108,7 +108,7 @@ ShadowAnswers LivePipeline::shadow_answers(const Methods& methods) {
 /// colour picture itself.
 void LivePipeline::draw_eye(std::size_t index, const ByteImage& colour, const Eigen::Isometry3d& pose,
                             const Methods& methods) {
-  EyePicture& eye = frame_.eyes[index];
+  LiveEye& eye = frame_.eyes[index];
   const double right_m = (static_cast<double>(index) - 0.5 * static_cast<double>(frame_.eyes.size() - 1)) *
                          settings_.eye_spacing_m;
   eye.view = eye_view(view_, pose, right_m, settings_.zero_parallax_m);

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "live/frame/eye_picture.h"
+#include "live/frame/live_eye.h"
 #include "live/frame/local_mesh.h"
 #include "live/frame/stage_times.h"
 
@@ -24,7 +24,7 @@ struct PipelineSettings {
 
 /// A frame, done: the pictures of all eyes from left to right, and what it cost.
 struct LiveFrame {
-  std::vector<EyePicture> eyes;
+  std::vector<LiveEye> eyes;
   renderer::DepthPicture registered;  ///< in the colour camera's pixels, by the mapping
   StageTimes times;
   std::size_t triangles = 0;  ///< of the local scene

@@ -1,7 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 
-#include "live/frame/eye_picture.h"
+#include "live/frame/live_eye.h"
 
 namespace seamline::live {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "live/frame/eye_picture.h"
+#include "live/frame/live_eye.h"
 #include "live/frame/live_scene.h"
 #include "live/tracking/optical_flow.h"
 #include "registration/calibration/aruco.h"

@@ -11,9 +11,9 @@
 #include "support/running/interrupt.h"
 #include "window/canvas.h"
 #include "window/look.h"
-#include "window/texture.h"
 #include "window/type/find_font.h"
 #include "window/window.h"
+#include "window/window_texture.h"
 
 namespace seamline::live {
 namespace {
@@ -196,7 +196,7 @@ class LiveWindow {
   double scale_;
   Window window_;
   Canvas canvas_;
-  std::vector<Texture> textures_;
+  std::vector<WindowTexture> textures_;
   std::deque<TimedFrame> recent_;
   std::vector<TimedFrame> timed_;
   PosesTable poses_;

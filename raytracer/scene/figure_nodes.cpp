@@ -22,9 +22,9 @@ bool is_hidden_node(const tinygltf::Node& node) {
 
 }  // namespace
 
-JointPlace joint_place(const tinygltf::Node& node) {
+JointPose joint_pose(const tinygltf::Node& node) {
   const Eigen::Affine3d local = GltfPose::local(node);
-  JointPlace place{.translation = local.translation()};
+  JointPose place{.translation = local.translation()};
   if (node.matrix.size() != 16) {
     if (node.rotation.size() == 4 && Eigen::Vector4d(node.rotation.data()).norm() > 0)
       place.rotation =

@@ -20,7 +20,7 @@ struct NoFigure {
 };
 
 /// Where a node stands in its parent. Throws NoFigure where it has a matrix that mirrors, flattens or shears.
-[[nodiscard]] JointPlace joint_place(const tinygltf::Node& node);
+[[nodiscard]] JointPose joint_pose(const tinygltf::Node& node);
 
 /// A node that shows a mesh, and where.
 struct MeshNode {

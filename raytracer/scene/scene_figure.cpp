@@ -38,7 +38,7 @@ bool are_finite(const Numbers& numbers) {
   return numbers.allFinite() && static_cast<double>(numbers.cwiseAbs().maxCoeff()) < largest_number;
 }
 
-bool is_finite(const JointPlace& place) {
+bool is_finite(const JointPose& place) {
   return are_finite(place.translation) && are_finite(place.rotation.coeffs()) && are_finite(place.scale);
 }
 
@@ -46,7 +46,7 @@ bool is_finite(const SceneFigure& figure) {
   for (const FigureJoint& joint : figure.joints)
     if (!are_finite(joint.bound.matrix()) || !is_finite(joint.place) ||
         !std::all_of(joint.keys.begin(), joint.keys.end(),
-                     [](const JointPlace& key) { return is_finite(key); }))
+                     [](const JointPose& key) { return is_finite(key); }))
       return false;
   for (const FigureSkin& mesh : figure.meshes)
     if (!std::all_of(mesh.positions.begin(), mesh.positions.end(), are_finite<Eigen::Vector3d>) ||
@@ -170,7 +170,7 @@ class FigureReader {
     joint_of_[node] = joint;
     node_of_.push_back(node);
     figure_.joints.push_back(
-        {.name = at(node).name, .parent = parent, .place = joint_place(at(node)), .keys = {}});
+        {.name = at(node).name, .parent = parent, .place = joint_pose(at(node)), .keys = {}});
     for (const int child : at(node).children)
       if (all.contains(child)) add_joint(child, joint, all, depth + 1);
   }
@@ -336,8 +336,8 @@ class FigureReader {
         const auto own = unplaced_.find(node_of_[j]);
         figure_.joints[j].keys.push_back(
             node_of_[j] < 0
-                ? JointPlace{}
-                : joint_place(
+                ? JointPose{}
+                : joint_pose(
                       own == unplaced_.end()
                           ? at(node_of_[j])
                           : placed.nodes[static_cast<std::size_t>(std::distance(unplaced_.begin(), own))]));

@@ -15,7 +15,7 @@
 namespace seamline::renderer {
 
 /// Where a joint stands in the frame of its parent.
-struct JointPlace {
+struct JointPose {
   Eigen::Vector3d translation = Eigen::Vector3d::Zero();
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();
@@ -26,8 +26,8 @@ struct FigureJoint {
   std::string name;  ///< of the node; may be empty
   int parent = -1;   ///< among the joints, before its children; -1: the root
   Eigen::Affine3d bound = Eigen::Affine3d::Identity();  ///< from its frame to that of `FigureSkin`
-  JointPlace place = {};                                ///< in the moment that was read
-  std::vector<JointPlace> keys = {};                    ///< at each of the figure's times
+  JointPose place = {};                                 ///< in the moment that was read
+  std::vector<JointPose> keys = {};                     ///< at each of the figure's times
 };
 
 /// The vertices of one mesh in the pose in which they were bound to the joints.

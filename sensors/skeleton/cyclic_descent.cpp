@@ -27,9 +27,7 @@ std::vector<std::vector<bool>> list_descendants(const Skeleton& skeleton) {
   const std::size_t count = skeleton.joints.size();
   std::vector<std::vector<bool>> moves(count, std::vector<bool>(count, false));
   for (std::size_t i = 0; i < count; ++i)
-    for (int up = skeleton.joints[i].parent; up >= 0;
-         up = skeleton.joints[static_cast<std::size_t>(up)].parent)
-      moves[static_cast<std::size_t>(up)][i] = true;
+    for (int up = skeleton.joints[i].parent; up >= 0; up = skeleton.joints[up].parent) moves[up][i] = true;
   return moves;
 }
 
@@ -110,7 +108,7 @@ std::size_t count_measured(const Skeleton& skeleton, const MeasuredJoints& measu
 
 FittedPose fit_pose(const Skeleton& skeleton, const MeasuredJoints& measured_m, const SkeletonPose& start,
                     const DescentOptions& options) {
-  const auto count = static_cast<double>(count_measured(skeleton, measured_m));
+  const double count = count_measured(skeleton, measured_m);
   const Sweep sweep(skeleton, measured_m);
   FittedPose fitted{.pose = start};
   double sum = sum_of_squares(place_joints(skeleton, fitted.pose), measured_m), before = sum;

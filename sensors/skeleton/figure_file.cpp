@@ -140,14 +140,14 @@ void FigureFile::read_nodes() {
   std::vector<std::vector<std::size_t>> children(nodes_.size());
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < nodes_.size(); ++i)
-    (nodes_[i].parent < 0 ? order : children[static_cast<std::size_t>(nodes_[i].parent)]).push_back(i);
+    (nodes_[i].parent < 0 ? order : children[nodes_[i].parent]).push_back(i);
   for (std::size_t k = 0; k < order.size(); ++k) {
     FigureNode& node = nodes_[order[k]];
     std::tie(node.own, node.turned) =
         own_transform(nodes[order[k]], file_, fmt::format("nodes[{}]", order[k]));
     node.world = node.own;
     if (node.parent >= 0) {
-      const FigureNode& parent = nodes_[static_cast<std::size_t>(node.parent)];
+      const FigureNode& parent = nodes_[node.parent];
       node.world = parent.world * node.own, node.turned = parent.turned * node.turned;
     }
     order.insert(order.end(), children[order[k]].begin(), children[order[k]].end());
@@ -193,7 +193,7 @@ int FigureFile::add_numbers(const std::vector<float>& numbers, const char* type,
 }
 
 void FigureFile::add_animation(const std::string& name, const std::vector<double>& times_s,
-                               const std::vector<NodeMotion>& motions) {
+                               const std::vector<MovedNode>& motions) {
   if (!is_utf8(name)) throw input_error({.field = "the animation's name", .wanted = "UTF-8", .found = name});
   const std::vector<float> keys_s(times_s.begin(), times_s.end());
   const bool rise = std::adjacent_find(keys_s.begin(), keys_s.end(),
@@ -237,7 +237,7 @@ void FigureFile::add_animation(const std::string& name, const std::vector<double
     channels.push_back({{"sampler", samplers.size()}, {"target", {{"node", node}, {"path", path}}}});
     samplers.push_back({{"input", input}, {"output", add_numbers(numbers, type, parts)}});
   };
-  for (const NodeMotion& motion : motions) {
+  for (const MovedNode& motion : motions) {
     std::vector<float> numbers;
     for (const Eigen::Quaterniond& turned : motion.rotations)
       for (int c = 0; c < 4; ++c) numbers.push_back(static_cast<float>(turned.coeffs()[c]));

@@ -17,7 +17,7 @@ struct FigureNode {
 };
 
 /// How one node moves, by keys at the times of an animation.
-struct NodeMotion {
+struct MovedNode {
   int node = 0;
   std::vector<Eigen::Quaterniond> rotations;         ///< its own, empty: it does not turn
   std::vector<Eigen::Vector3d> translations_m = {};  ///< its own, empty: it keeps its place
@@ -40,7 +40,7 @@ class FigureFile {
   /// Throws InputError where there is one of that name or the name is no UTF-8, where times are not 0 or more
   /// and rise as floats, and where a node that moves has a matrix.
   void add_animation(const std::string& name, const std::vector<double>& times_s,
-                     const std::vector<NodeMotion>& motions);
+                     const std::vector<MovedNode>& motions);
 
   [[nodiscard]] std::string bytes() const;
 

@@ -49,9 +49,7 @@ std::optional<Eigen::Vector3d> line_of_bones(const Skeleton& skeleton, std::size
 /// Of a node: how many are above it.
 int depth_of(const std::vector<FigureNode>& nodes, int node) {
   int depth = 0;
-  for (int up = nodes[static_cast<std::size_t>(node)].parent; up >= 0;
-       up = nodes[static_cast<std::size_t>(up)].parent)
-    ++depth;
+  for (int up = nodes[node].parent; up >= 0; up = nodes[up].parent) ++depth;
   return depth;
 }
 
@@ -80,28 +78,25 @@ RecordedRig recorded_rig(const FigureFile& figure, const RecordedMotion& motion)
   for (const auto& [depth, j] : order) {
     const int node = node_of_joint[j];
     Joint joint{.name = motion.joints[j], .hinges = {}};
-    for (int up = nodes[static_cast<std::size_t>(node)].parent; up >= 0 && joint.parent < 0;
-         up = nodes[static_cast<std::size_t>(up)].parent)
-      joint.parent = place[static_cast<std::size_t>(up)];
+    for (int up = nodes[node].parent; up >= 0 && joint.parent < 0; up = nodes[up].parent)
+      joint.parent = place[up];
     if (joint.parent < 0 && !rig.nodes.empty())
       throw bad_joint(joint.name, "a joint that hangs on \"" + rig.skeleton.joints[0].name + "\"",
                       "one that does not");
     if (joint.parent >= 0) {
-      const int holder = rig.nodes[static_cast<std::size_t>(joint.parent)];
-      joint.offset_m = nodes[static_cast<std::size_t>(node)].world.translation() -
-                       nodes[static_cast<std::size_t>(holder)].world.translation();
-      rig.skeleton.joints[static_cast<std::size_t>(joint.parent)].hinges = {
+      const int holder = rig.nodes[joint.parent];
+      joint.offset_m = nodes[node].world.translation() - nodes[holder].world.translation();
+      rig.skeleton.joints[joint.parent].hinges = {
           {Eigen::Vector3d::UnitX()}, {Eigen::Vector3d::UnitY()}, {Eigen::Vector3d::UnitZ()}};
     }
-    place[static_cast<std::size_t>(node)] = static_cast<int>(rig.nodes.size());
+    place[node] = static_cast<int>(rig.nodes.size());
     rig.nodes.push_back(node);
     rig.recorded.push_back(j);
-    const int parent = nodes[static_cast<std::size_t>(node)].parent;
-    rig.above.push_back(parent < 0 ? Eigen::Affine3d::Identity()
-                                   : nodes[static_cast<std::size_t>(parent)].world);
+    const int parent = nodes[node].parent;
+    rig.above.push_back(parent < 0 ? Eigen::Affine3d::Identity() : nodes[parent].world);
     if (joint.parent >= 0) {
-      const int holder = rig.nodes[static_cast<std::size_t>(joint.parent)];
-      rig.above.back() = nodes[static_cast<std::size_t>(holder)].world.inverse() * rig.above.back();
+      const int holder = rig.nodes[joint.parent];
+      rig.above.back() = nodes[holder].world.inverse() * rig.above.back();
     }
     rig.skeleton.joints.push_back(joint);
   }
@@ -137,7 +132,7 @@ SkeletonPose turned_as_one(const Skeleton& skeleton, const MeasuredJoints& measu
 void take_bones(const Skeleton& figure, const MeasuredJoints& measured_m, Skeleton& recorded) {
   const Skeleton now = with_bones_of(figure, measured_m);
   for (std::size_t i = 1; i < now.joints.size(); ++i)
-    if (measured_m[i] && measured_m[static_cast<std::size_t>(now.joints[i].parent)])
+    if (measured_m[i] && measured_m[now.joints[i].parent])
       recorded.joints[i].offset_m = now.joints[i].offset_m;
 }
 
@@ -145,7 +140,7 @@ void take_bones(const Skeleton& figure, const MeasuredJoints& measured_m, Skelet
 std::vector<char> seen_behind(const Skeleton& skeleton, const MeasuredJoints& measured_m) {
   std::vector<char> seen(measured_m.size(), 0);
   for (std::size_t i = seen.size() - 1; i > 0; --i)
-    if (measured_m[i] || seen[i] != 0) seen[static_cast<std::size_t>(skeleton.joints[i].parent)] = 1;
+    if (measured_m[i] || seen[i] != 0) seen[skeleton.joints[i].parent] = 1;
   return seen;
 }
 
@@ -156,8 +151,7 @@ void take_turns(const RecordedRig& rig, const std::vector<PlacedJoint>& placed, 
   std::vector<Eigen::Matrix3d> world;
   for (std::size_t i = 0; i < placed.size(); ++i) {
     const int parent = rig.skeleton.joints[i].parent;
-    const Eigen::Matrix3d before =
-        parent < 0 ? Eigen::Matrix3d::Identity() : world[static_cast<std::size_t>(parent)];
+    const Eigen::Matrix3d before = parent < 0 ? Eigen::Matrix3d::Identity() : world[parent];
     const Eigen::Matrix3d found = before.transpose() * placed[i].orientation;
     if (seen[i] != 0 && rig.lines[i])
       turns[i] = Eigen::Quaterniond::FromTwoVectors(*rig.lines[i], found * *rig.lines[i]).toRotationMatrix();
@@ -188,10 +182,9 @@ FigureMotion move_figure(const FigureFile& figure, const RecordedMotion& motion)
     std::vector<Eigen::Affine3d> world;  // of each joint's node, as the file will have it
     double square_m2 = 0, count = 0;
     for (std::size_t i = 0; i < joints; ++i) {
-      const FigureNode& node = figure.nodes()[static_cast<std::size_t>(rig.nodes[i])];
-      const FigureNode above =
-          node.parent < 0 ? FigureNode{} : figure.nodes()[static_cast<std::size_t>(node.parent)];
-      NodeMotion& moved = out.nodes[rig.recorded[i]];
+      const FigureNode& node = figure.nodes()[rig.nodes[i]];
+      const FigureNode above = node.parent < 0 ? FigureNode{} : figure.nodes()[node.parent];
+      MovedNode& moved = out.nodes[rig.recorded[i]];
       moved.node = rig.nodes[i];
       out.turned_deg[rig.recorded[i]].push_back(degrees * Eigen::AngleAxisd(turns[i]).angle());
       Eigen::Affine3d own = node.own;
@@ -203,7 +196,7 @@ FigureMotion move_figure(const FigureFile& figure, const RecordedMotion& motion)
       Eigen::Quaterniond turned = above.turned.conjugate() * Eigen::Quaterniond(turns[i]) * node.turned;
       own.linear() = (turned * at_rest.conjugate()).toRotationMatrix() * node.own.linear();
       world.push_back(rig.above[i] * own);
-      if (i > 0) world[i] = world[static_cast<std::size_t>(recorded.joints[i].parent)] * world[i];
+      if (i > 0) world[i] = world[recorded.joints[i].parent] * world[i];
       if (measured_m[i]) square_m2 += (world[i].translation() - *measured_m[i]).squaredNorm(), ++count;
       if (recorded.joints[i].hinges.empty()) continue;
       if (!moved.rotations.empty() && moved.rotations.back().dot(turned) < 0) turned.coeffs() *= -1;

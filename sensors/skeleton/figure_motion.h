@@ -9,7 +9,7 @@ namespace seamline::sensors {
 
 /// A figure's joints as they have to turn so that they are where they were recorded.
 struct FigureMotion {
-  std::vector<NodeMotion> nodes;  ///< of each recorded joint
+  std::vector<MovedNode> nodes;  ///< of each recorded joint
   /// Of each joint and moment: how far it is turned from the figure's rest, against the joint that holds it,
   /// 0 to 180 degrees.
   std::vector<std::vector<double>> turned_deg;

@@ -55,7 +55,7 @@ RecordedMotion read_recorded_motion(const std::filesystem::path& path) {
     }
     last_s = now_s;
     const auto found = std::find(motion.joints.begin(), motion.joints.end(), row.values[1]);
-    const auto joint = static_cast<std::size_t>(found - motion.joints.begin());
+    const std::size_t joint = found - motion.joints.begin();
     if (found == motion.joints.end()) {
       if (joint == most_joints || row.values[1].empty())
         throw complaint_about(row, 1, fmt::format("names of at most {} joints", most_joints),

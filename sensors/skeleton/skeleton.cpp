@@ -59,7 +59,7 @@ std::vector<PlacedJoint> place_joints(const Skeleton& skeleton, const SkeletonPo
     if (joint.parent < 0) {
       here.position_m = pose.root_m;
     } else {
-      const PlacedJoint& parent = placed[static_cast<std::size_t>(joint.parent)];
+      const PlacedJoint& parent = placed[joint.parent];
       here.before = parent.orientation;
       here.position_m = parent.position_m + parent.orientation * joint.offset_m;
     }
@@ -98,7 +98,7 @@ Skeleton with_bones_of(Skeleton skeleton, const std::vector<std::optional<Eigen:
   for (std::size_t i = 0; i < skeleton.joints.size(); ++i) {
     Joint& joint = skeleton.joints[i];
     if (joint.parent < 0) continue;
-    const auto& start_m = measured_m[static_cast<std::size_t>(joint.parent)];
+    const auto& start_m = measured_m[joint.parent];
     const double rest_m = joint.offset_m.norm();
     if (!start_m || !measured_m[i] || !(rest_m > 0)) continue;
     joint.offset_m *= (*measured_m[i] - *start_m).norm() / rest_m;

@@ -28,7 +28,7 @@ std::vector<Bone> bones_of(const RecordedUser& user) {
   const Skeleton skeleton = standing_person();
   std::vector<Bone> bones;
   for (std::size_t i = 1; i < skeleton.joints.size(); ++i) {
-    const auto& from_m = user.joints_m[static_cast<std::size_t>(skeleton.joints[i].parent)];
+    const auto& from_m = user.joints_m[skeleton.joints[i].parent];
     const auto& to_m = user.joints_m[i];
     if (from_m && to_m) bones.push_back({*from_m, *to_m});
   }

@@ -29,7 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A depth camera of the study; panoramas have only a width.
-struct DepthView {
+struct PhotographedMesh {
   DepthSource source;
   int panorama_width_px = 0;
   std::string suffix;  ///< of names
@@ -48,8 +48,8 @@ std::string look_text(const DepthSource& source, int panorama_width_px) {
   return canonical_text(chain) + (stereo != nullptr ? fmt::format(" and {}", stereo->baseline_m) : "");
 }
 
-std::vector<DepthView> depth_views(const StudyDefinition& study) {
-  std::vector<DepthView> views;
+std::vector<PhotographedMesh> depth_views(const StudyDefinition& study) {
+  std::vector<PhotographedMesh> views;
   std::vector<std::string> looks;
   const std::vector<int> widths = depth_widths_px(study);
   for (const ConditionDefinition& condition : list_conditions(study)) {
@@ -73,7 +73,7 @@ std::vector<DepthView> depth_views(const StudyDefinition& study) {
 /// The format that estimators of depth read and write: little-endian floats, rows from the bottom.
 void write_pfm(const fs::path& path, int width_px, const std::vector<float>& values) {
   static_assert(std::endian::native == std::endian::little);
-  const auto width = static_cast<std::size_t>(width_px);
+  const std::size_t width = width_px;
   const std::size_t height = values.size() / width;
   std::string bytes = fmt::format("Pf\n{} {}\n-1.0\n", width, height);
   for (std::size_t row = height; row > 0; --row)
@@ -87,7 +87,7 @@ class Photographer {
   Photographer(const StereoScene& scene, const PhotographOptions& options, fs::path folder)
       : scene_(scene), options_(options), folder_(std::move(folder)) {}
 
-  void take(const DepthView& view, const std::string& name) const {
+  void take(const PhotographedMesh& view, const std::string& name) const {
     if (camera_of(view.source) == nullptr)
       take_panorama(view.panorama_width_px, name);
     else
@@ -152,14 +152,12 @@ int write_photographs(const StudyDefinition& study, const PhotographsRequest& re
     std::string name;
   };
   const std::vector<SceneDefinition> truths = list_truths(study);
-  const std::vector<DepthView> views = depth_views(study);
+  const std::vector<PhotographedMesh> views = depth_views(study);
   std::vector<Wanted> wanted;
   for (std::size_t t = 0; t < truths.size(); ++t)
-    for (int object = 1; object <= static_cast<int>(truths[t].objects.size()); ++object)
+    for (int object = 1; object <= std::ssize(truths[t].objects); ++object)
       for (std::size_t v = 0; v < views.size(); ++v) {
-        const std::string name = truths[t].truth + "-" +
-                                 truths[t].objects[static_cast<std::size_t>(object - 1)].name +
-                                 views[v].suffix;
+        const std::string name = truths[t].truth + "-" + truths[t].objects[object - 1].name + views[v].suffix;
         if (matches_pattern(name, request.only)) wanted.push_back({t, object, v, name});
       }
   if (wanted.empty())
@@ -169,7 +167,7 @@ int write_photographs(const StudyDefinition& study, const PhotographsRequest& re
                        .found = "\"" + request.only + "\""});
   prepare_output_folder(request.folder);
   const int threads = request.threads > 0 ? request.threads : default_thread_count();
-  Progress progress("photographs of " + study.name, static_cast<double>(wanted.size()));
+  Progress progress("photographs of " + study.name, wanted.size());
   std::optional<TruthScene> scene;
   std::size_t loaded = truths.size();
   for (const Wanted& one : wanted) {

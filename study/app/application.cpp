@@ -222,7 +222,7 @@ void Application::show_frame(std::int64_t begun_ns) {
   canvas_.end();
   const std::int64_t shown_ns = window_.show();
   const double period_ns = 1e9 / (display_.refresh_hz > 0 ? display_.refresh_hz : 60);
-  const bool late = static_cast<double>(shown_ns - begun_ns) > 1.5 * period_ns;
+  const bool late = shown_ns - begun_ns > 1.5 * period_ns;
   store_.count_frames({.shown = 1, .late = late ? 1 : 0});
   std::string screen = screen_name(visit_.screen);
   if (session != nullptr) screen += "/" + phase_name(session->phase);

@@ -26,7 +26,7 @@ constexpr int participants_a_transaction = 25;
 /// Seed of one simulated person. Stream 0 makes the person, stream t + 1 answers trial t, so that an answer
 /// does not depend on how the participant's trials were spread over sessions.
 std::uint64_t person_seed(std::uint64_t simulation_seed, int number) {
-  return mix_bits(mix_bits(simulation_seed ^ person_salt) + static_cast<std::uint64_t>(number));
+  return mix_bits(mix_bits(simulation_seed ^ person_salt) + number);
 }
 
 struct SimulatedPerson {
@@ -54,7 +54,7 @@ SimulatedPerson make_person(const SimulationRequest& request, const RenderedSet&
 Response answer_of(const SimulatedPerson& person, const RenderedSet& set, const Session& session) {
   const Trial trial = current_trial(session.trials).value();
   Random random(person.seed, 1 + static_cast<std::uint64_t>(answered_trials(session.trials)));
-  const Stimulus& stimulus = set.manifest.stimuli[static_cast<std::size_t>(trial.stimulus)].stimulus;
+  const Stimulus& stimulus = set.manifest.stimuli[trial.stimulus].stimulus;
   const Alternatives alternatives =
       alternatives_of(facts_of(task_of(set, trial).get()), trial, stimulus.object_index);
   switch (trial.kind) {
@@ -77,9 +77,9 @@ Session run_match(Session session, const SimulatedPerson& person, const Rendered
   const LevelLadders& ladders = *session.pace.task.ladders;
   std::vector<Stimulus> ladder;
   for (const Trial& picture : pictures_of_ladder(ladders, trial))
-    ladder.push_back(set.manifest.stimuli[static_cast<std::size_t>(picture.stimulus)].stimulus);
+    ladder.push_back(set.manifest.stimuli[picture.stimulus].stimulus);
   const int stop = static_cast<int>(matched_rung(person.observer, ladder, random));
-  const int start = ladders.places[static_cast<std::size_t>(trial.stimulus)].rung;
+  const int start = ladders.places[trial.stimulus].rung;
   const MatchStep step = stop < start ? MatchStep::clearer : MatchStep::fainter;
   session = next(std::move(session), ImageShown{});
   for (int moved = 0; moved < std::abs(stop - start); ++moved)
@@ -148,7 +148,7 @@ int run_participant(LogWriter& log, OpenSession& place, const RenderedSet& set, 
 }
 
 /// What all simulated people of a run share.
-struct SimulatedStudy {
+struct StudyOfObservers {
   const SimulationRequest& request;
   RenderedSet set;
   TrialRules rules;
@@ -156,11 +156,11 @@ struct SimulatedStudy {
 };
 
 /// What the log keeps of the gain: that of the observers that have one, wherever it comes from.
-std::optional<double> gain_of(const SimulatedStudy& study) {
+std::optional<double> gain_of(const StudyOfObservers& study) {
   return study.request.observer == ObserverKind::image ? study.set.study.observer.image_gain : std::nullopt;
 }
 
-void simulate(LogWriter& log, const SimulatedStudy& study, int number, SimulationSummary& summary) {
+void simulate(LogWriter& log, const StudyOfObservers& study, int number, SimulationSummary& summary) {
   const SimulationRequest& request = study.request;
   OpenSession place =
       log.open_session({.code = fmt::format("sim-{:04}", number),
@@ -179,7 +179,7 @@ void simulate(LogWriter& log, const SimulatedStudy& study, int number, Simulatio
 
 SimulationSummary run_simulated_study(const SimulationRequest& request) {
   assert(request.count >= 1);
-  SimulatedStudy study{
+  StudyOfObservers study{
       .request = request, .set = load_rendered_set(request.set_folder), .rules = {}, .differences = {}};
   study.rules = make_trial_rules(study.set);
   if (request.image_gain) study.set.study.observer.image_gain = request.image_gain;

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "live/frame/eye_picture.h"
+#include "live/frame/live_eye.h"
 #include "support/arithmetic/random.h"
 
 namespace seamline {

@@ -249,7 +249,7 @@ TEST(LivePipeline, TheSamePicturesForAnyNumberOfThreads) {
       LivePipeline pipeline = pipeline_of(recording, {test::virtual_box()}, settings);
       std::vector<std::vector<std::uint8_t>> pictures;
       for (const LoadedFrame& frame : recording.frames)
-        for (const EyePicture& eye : pipeline.compose(frame, *frame.world_from_colour, methods).eyes)
+        for (const LiveEye& eye : pipeline.compose(frame, *frame.world_from_colour, methods).eyes)
           pictures.push_back(eye.codes.values);
       if (before.empty()) before = pictures;
       EXPECT_EQ(pictures, before) << threads << " threads";
@@ -284,7 +284,7 @@ TEST(LivePipeline, AnotherEyeShowsTheLocalScenesColours) {
   CameraPath path{.kind = PathKind::sweep, .distance_m = settings.eye_spacing_m};
   const LoadedRecording moved =
       test::recorded(test::room(), test::exact_rig(), test::definition_of(1), path, 2, 16);
-  const EyePicture& right = frame.eyes[2];
+  const LiveEye& right = frame.eyes[2];
   // Off-axis: what the moved camera sees is shifted by f e / zero parallax.
   const double shift_px = recording.view.fx_px * settings.eye_spacing_m / settings.zero_parallax_m;
   int compared = 0, differ = 0;

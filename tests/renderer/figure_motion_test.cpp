@@ -123,7 +123,7 @@ std::string noisy_arm(int moments, const Eigen::Vector3d& hand_m, int hand_every
 }
 
 /// Of a node: the largest turn from one moment to the next.
-double largest_step_deg(const NodeMotion& moved) {
+double largest_step_deg(const MovedNode& moved) {
   double most_rad = 0;
   for (std::size_t t = 1; t < moved.rotations.size(); ++t)
     most_rad = std::max(most_rad, moved.rotations[t].angularDistance(moved.rotations[t - 1]));

@@ -128,11 +128,11 @@ std::vector<std::vector<float>> all_open(const X3dSubject& subject) {
   return open;
 }
 
-X3dJointPlace between(const X3dJoint& joint, const std::vector<double>& fractions, double fraction) {
+X3dJointPose between(const X3dJoint& joint, const std::vector<double>& fractions, double fraction) {
   const auto after =
       std::upper_bound(fractions.begin() + 1, fractions.end() - 1, fraction) - fractions.begin();
-  const X3dJointPlace &from = joint.keys[static_cast<std::size_t>(after - 1)],
-                      &to = joint.keys[static_cast<std::size_t>(after)];
+  const X3dJointPose &from = joint.keys[static_cast<std::size_t>(after - 1)],
+                     &to = joint.keys[static_cast<std::size_t>(after)];
   const double share =
       (fraction - fractions[static_cast<std::size_t>(after - 1)]) /
       (fractions[static_cast<std::size_t>(after)] - fractions[static_cast<std::size_t>(after - 1)]);
@@ -142,7 +142,7 @@ X3dJointPlace between(const X3dJoint& joint, const std::vector<double>& fraction
 }
 
 /// X3D 4.0, 10.4.4 (Transform) and 26.2.2 (skin), in its own words.
-std::vector<Eigen::Vector3d> carried(const X3dFigure& figure, const std::vector<X3dJointPlace>& places) {
+std::vector<Eigen::Vector3d> carried(const X3dFigure& figure, const std::vector<X3dJointPose>& places) {
   std::vector<Eigen::Affine3d> joints;
   for (std::size_t j = 0; j < figure.joints.size(); ++j) {
     const X3dJoint& joint = figure.joints[j];
@@ -164,7 +164,7 @@ std::vector<Eigen::Vector3d> carried(const X3dFigure& figure, const std::vector<
 /// Largest distance from what `read_scene_moment` has at a time.
 double off_m(const std::filesystem::path& file, const X3dSubject& subject, const X3dFigure& figure,
              double time_s, double fraction, const std::vector<PlacedNode>& nodes = {}) {
-  std::vector<X3dJointPlace> places;
+  std::vector<X3dJointPose> places;
   for (const X3dJoint& joint : figure.joints)
     places.push_back(fraction < 0 ? joint.place : between(joint, figure.fractions, fraction));
   const std::vector<Eigen::Vector3d> found = carried(figure, places);

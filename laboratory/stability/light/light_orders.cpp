@@ -28,10 +28,10 @@ struct HalfHidden {
   }
 };
 
-using Estimate = std::function<double(int samples, int repeat)>;
+using NoisyEstimate = std::function<double(int samples, int repeat)>;
 
 /// Relative RMSE over repeats against the long estimate.
-std::vector<std::pair<double, double>> errors(const Estimate& estimate, double truth) {
+std::vector<std::pair<double, double>> errors(const NoisyEstimate& estimate, double truth) {
   std::vector<std::pair<double, double>> points;
   for (int samples = 8; samples <= 2048; samples *= 4) {
     double squares = 0;
@@ -46,8 +46,7 @@ std::vector<std::pair<double, double>> errors(const Estimate& estimate, double t
 
 double radiance(const HalfHidden& scene, const std::function<Sampler(int sample)>& sampler, int samples) {
   double sum = 0;
-  for (int i = 0; i < samples; ++i)
-    sum += static_cast<double>(scene.sample(sampler(i)).without_object.total()[1]);
+  for (int i = 0; i < samples; ++i) sum += scene.sample(sampler(i)).without_object.total()[1];
   return sum / samples;
 }
 

@@ -39,12 +39,11 @@ void ClipPlayer::decode_ahead() {
 }
 
 std::int64_t ClipPlayer::time_of_ns(std::int64_t frame) const {
-  return std::llround(1e9 * static_cast<double>(frame) / frames_per_s_);
+  return std::llround(1e9 * frame / frames_per_s_);
 }
 
 std::optional<ByteImage> ClipPlayer::take(std::int64_t now_ns) {
-  auto wanted =
-      static_cast<std::int64_t>(std::floor(1e-9 * static_cast<double>(now_ns) * frames_per_s_ + 1e-6));
+  auto wanted = static_cast<std::int64_t>(std::floor(1e-9 * now_ns * frames_per_s_ + 1e-6));
   if (!loops_) wanted = std::min(wanted, frames_ - 1);
   std::optional<ByteImage> newest;
   const std::scoped_lock lock(mutex_);

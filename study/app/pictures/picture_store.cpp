@@ -15,7 +15,7 @@ namespace {
 
 /// What names the click map of a trial's picture.
 const std::string& truth_of(const RenderedSet& set, const Trial& trial) {
-  return stimuli::truth_of(set.manifest.stimuli.at(static_cast<std::size_t>(trial.stimulus)).stimulus);
+  return stimuli::truth_of(set.manifest.stimuli.at(trial.stimulus).stimulus);
 }
 
 /// How many pictures are held: of the trial before, the one that is due and the next.
@@ -45,7 +45,7 @@ PictureStore::PictureStore(const RenderedSet& set, bool scaled)
   std::map<std::string, bool> two_eyes;
   for (const SceneDefinition& scene : list_truths(set.study))
     two_eyes[scene.truth] = scene.view.kind == ViewKind::side_by_side;
-  for (int i = 0; i < static_cast<int>(set.manifest.stimuli.size()); ++i) {
+  for (int i = 0; i < std::ssize(set.manifest.stimuli); ++i) {
     const Trial trial{.stimulus = i};
     const std::string& truth = truth_of(set, trial);
     if (!objects_.contains(truth))
@@ -97,7 +97,7 @@ std::vector<Trial> PictureStore::pictures_of(const Trial& trial) const {
   return pictures;
 }
 
-const Texture* PictureStore::find(const Trial& trial) const {
+const WindowTexture* PictureStore::find(const Trial& trial) const {
   for (const Slot& slot : slots_)
     if (slot.trial == trial) return &slot.texture;
   return nullptr;
@@ -105,8 +105,7 @@ const Texture* PictureStore::find(const Trial& trial) const {
 
 const ObjectMap& PictureStore::objects(const Trial& trial) const {
   const std::vector<ObjectMap>& of_frames = objects_.at(truth_of(set_, trial));
-  return player_ && playing_ == trial ? of_frames.at(static_cast<std::size_t>(player_->frame_on_screen()))
-                                      : of_frames.front();
+  return player_ && playing_ == trial ? of_frames.at(player_->frame_on_screen()) : of_frames.front();
 }
 
 void PictureStore::play(const Trial& trial, std::int64_t now_ns) {

@@ -10,7 +10,7 @@
 #include "study/app/pictures/picture_loader.h"
 #include "study/trials/object_map.h"
 #include "study/trials/rendered_set.h"
-#include "window/texture.h"
+#include "window/window_texture.h"
 
 namespace seamline::study {
 struct LevelLadders;  // study/trials/level_ladders.h
@@ -34,7 +34,7 @@ class PictureStore {
   [[nodiscard]] std::vector<Trial> pictures_of(const Trial& trial) const;
 
   /// A picture when it is ready to be shown.
-  [[nodiscard]] const Texture* find(const Trial& trial) const;
+  [[nodiscard]] const WindowTexture* find(const Trial& trial) const;
 
   /// Where the objects of the trial's scene are, in the frame that is on the screen.
   [[nodiscard]] const ObjectMap& objects(const Trial& trial) const;
@@ -49,7 +49,7 @@ class PictureStore {
  private:
   struct Slot {
     std::optional<Trial> trial;
-    Texture texture;
+    WindowTexture texture;
     std::int64_t used = 0;  ///< the larger the later
   };
   void fetch(const Trial& trial);

@@ -22,7 +22,7 @@ PixelCheck check_pixels(Window& window, Canvas& canvas, Size picture_px, double 
                         const std::optional<Point>& corner_px) {
   const ByteImage picture =
       test_picture(static_cast<int>(picture_px.width_px), static_cast<int>(picture_px.height_px));
-  Texture texture;
+  WindowTexture texture;
   texture.upload(picture);
   const TrialPlace place = place_trial(window.framebuffer_px(), picture_px, em_px, corner_px);
   canvas.begin(window.framebuffer_px());

@@ -115,10 +115,10 @@ void move_slider(Stage& stage, const Rect& line) {
 /// Each label in the middle of its part of the line; two labels at its ends.
 void draw_slider_labels(Stage& stage, const Rect& line, double bottom_px,
                         const std::vector<std::string>& labels) {
-  const auto count = static_cast<double>(labels.size());
+  const double count = labels.size();
   const double wrap_px = line.width_px / count - 0.5 * stage.ui.em();
   for (std::size_t i = 0; i < labels.size(); ++i) {
-    double along = (static_cast<double>(i) + 0.5) / count;
+    double along = (i + 0.5) / count;
     if (stage.canvas().right_to_left()) along = 1 - along;
     const double height_px = stage.canvas().measure(Font::small, labels[i], wrap_px).height_px;
     double left_px = line.x_px + along * line.width_px - wrap_px / 2, share = 0.5;

@@ -10,7 +10,7 @@ namespace {
 ByteImage opaque(const ByteImage& picture) {
   if (picture.channels == 1 || picture.channels == 3) return picture;
   ByteImage result{picture.width_px, picture.height_px, 3, {}};
-  const auto channels = static_cast<std::size_t>(picture.channels);
+  const std::size_t channels = picture.channels;
   const bool grey_only = channels == 2;
   for (std::size_t at = 0; at + channels <= picture.values.size(); at += channels) {
     const int alpha = picture.values[at + channels - 1];
@@ -25,10 +25,10 @@ ByteImage opaque(const ByteImage& picture) {
 
 }  // namespace
 
-std::vector<std::vector<Texture>> load_instruction_pictures(const RenderedSet& set) {
-  std::vector<std::vector<Texture>> pages;
+std::vector<std::vector<WindowTexture>> load_instruction_pictures(const RenderedSet& set) {
+  std::vector<std::vector<WindowTexture>> pages;
   for (const InstructionPage& page : set.study.instructions) {
-    std::vector<Texture>& pictures = pages.emplace_back();
+    std::vector<WindowTexture>& pictures = pages.emplace_back();
     for (const std::string& name : page.pictures) {
       const std::filesystem::path file =
           path_below(set.folder, name,

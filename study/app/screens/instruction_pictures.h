@@ -2,11 +2,11 @@
 #include <vector>
 
 #include "study/trials/rendered_set.h"
-#include "window/texture.h"
+#include "window/window_texture.h"
 
 namespace seamline::study::app {
 
 /// The pictures of each instruction page. Throws InputError when a file is missing or is no picture.
-[[nodiscard]] std::vector<std::vector<Texture>> load_instruction_pictures(const RenderedSet& set);
+[[nodiscard]] std::vector<std::vector<WindowTexture>> load_instruction_pictures(const RenderedSet& set);
 
 }  // namespace seamline::study::app

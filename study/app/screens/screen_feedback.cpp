@@ -14,7 +14,7 @@ void look_towards(Stage& stage, const Trial& trial, int object) {
   const LookDefinition* view = look_at(stage, trial);
   if (view == nullptr || view->kind == LookKind::fixed) return;
   const ObjectMap& objects = stage.pictures.objects(trial);
-  const PictureFrame& frame = objects.frames.at(static_cast<std::size_t>(object - 1));
+  const PictureFrame& frame = objects.frames.at(object - 1);
   if (frame.width_px > 0) stage.looking.pose = pose_towards(objects, frame);
 }
 
@@ -28,14 +28,14 @@ Outcome draw(const FeedbackScreen& screen, const Visit& visit, Stage& stage) {
   const TrialPlace place = trial_place(stage);
   const bool alternatives = asks_for_alternatives(stage.set, screen.trial);
   if (const std::optional<Trial> trial = trial_on_screen(visit)) {
-    const Texture* picture = stage.pictures.find(*trial);
+    const WindowTexture* picture = stage.pictures.find(*trial);
     if (alternatives)
       draw_task_feedback(stage, place, *trial);
     else if (picture != nullptr)
       show_picture(stage, *trial, *picture, place);
     if (screen.right_index >= 1 && !alternatives) {
       const ObjectMap& objects = stage.pictures.objects(*trial);
-      const auto index = static_cast<std::size_t>(screen.right_index - 1);
+      const std::size_t index = screen.right_index - 1;
       draw_bracket(stage, place, seen_frames(stage, *trial).at(index));
       draw_bracket(stage, place, objects.right_eye_frames.at(index));
     }

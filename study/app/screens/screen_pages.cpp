@@ -73,7 +73,7 @@ Outcome draw(const BriefingScreen&, const Visit& visit, Stage& stage) {
   const std::optional<Trial> due = current_trial(visit.session.trials);
   std::string text;
   if (due) {
-    const ManifestStimulus& record = stage.set.manifest.stimuli.at(static_cast<std::size_t>(due->stimulus));
+    const ManifestStimulus& record = stage.set.manifest.stimuli.at(due->stimulus);
     for (const ConditionDefinition& condition : stage.set.study.conditions)
       if (condition.name == record.stimulus.condition) text = condition.instructions;
   }

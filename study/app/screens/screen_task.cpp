@@ -40,7 +40,7 @@ void show_pictures(Stage& stage, const TrialPlace& place, const Trial& trial, in
   const std::vector<Rect> places = trial_pictures(stage, place, task.kind);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const std::size_t which = places.size() > 1 ? i : static_cast<std::size_t>(picture);
-    if (const Texture* texture = stage.pictures.find(shown.at(which)))
+    if (const WindowTexture* texture = stage.pictures.find(shown.at(which)))
       stage.canvas().picture(*texture, places[i]);
   }
 }
@@ -49,7 +49,7 @@ void show_pictures(Stage& stage, const TrialPlace& place, const Trial& trial, in
 void show_mask(Stage& stage, const TrialPlace& place, const Trial& trial, int after) {
   stage.mask_seen = after;
   const TaskKind kind = facts_of(task_of(stage.set, trial).get()).kind;
-  const Texture* mask = stage.pictures.find({.kind = TrialKind::mask, .stimulus = trial.stimulus});
+  const WindowTexture* mask = stage.pictures.find({.kind = TrialKind::mask, .stimulus = trial.stimulus});
   for (const Rect& rect : trial_pictures(stage, place, kind))
     if (mask != nullptr) stage.canvas().picture(*mask, rect);
 }
@@ -232,7 +232,7 @@ void draw_task_feedback(Stage& stage, const TrialPlace& place, const Trial& tria
 
 std::string name_of_right(const Stage& stage, const Trial& trial, int right_index) {
   constexpr std::array<Phrase, 3> sides = {Phrase::left_object, Phrase::middle_object, Phrase::right_object};
-  const auto at = static_cast<std::size_t>(right_index - 1);
+  const std::size_t at = right_index - 1;
   const std::shared_ptr<const TaskDefinition> task = task_of(stage.set, trial);
   return task != nullptr && at < task->answers.size() ? task->answers[at] : stage.phrase(sides.at(at));
 }

@@ -44,7 +44,7 @@ struct TrialOnScreen {
   }
   void bracket(int object, Bracket kind) const {
     if (object < 1) return;
-    const auto index = static_cast<std::size_t>(object - 1);
+    const std::size_t index = object - 1;
     draw_bracket(stage, place, frames.at(index), kind);
     draw_bracket(stage, place, objects.right_eye_frames.at(index), kind);
   }
@@ -75,7 +75,7 @@ Outcome choose(const TrialOnScreen& trial) {
   int chosen = 0;
   if (trial.clicked()) chosen = hovered;
   if (const int digit = stage.input.digit();
-      digit >= 1 && digit <= static_cast<int>(trial.frames.size()) && !trial.turns())
+      digit >= 1 && digit <= std::ssize(trial.frames) && !trial.turns())
     chosen = digit;
   if (trial.turns() && uses_focus(stage)) chosen = trial.object_in_middle();
   if (focused >= 1 && uses_focus(stage)) chosen = focused;
@@ -113,7 +113,7 @@ Outcome rate(const TrialOnScreen& trial, const Rating& phase) {
     buttons = rating_buttons(trial, font = Font::small);
   int rating = 0;
   for (int i = 0; i < highest_rating; ++i) {
-    const Rect& rect = buttons.at(static_cast<std::size_t>(i));
+    const Rect& rect = buttons.at(i);
     const bool hovered = rect.contains(stage.input.mouse);
     stage.ui.mark(fmt::format("rating/{}", i + 1), rect);
     stage.canvas().fill(rect, hovered ? look::control_hover : look::card, 6);
@@ -122,8 +122,7 @@ Outcome rate(const TrialOnScreen& trial, const Rating& phase) {
       stage.canvas().outline(rect.grown(4), look::focus_halo, 3, 9);
       stage.canvas().outline(rect.grown(5.5), look::focus, 2, 10);
     }
-    const std::string text =
-        fmt::format("{}  {}", i + 1, stage.set.study.session.rating_labels[static_cast<std::size_t>(i)]);
+    const std::string text = fmt::format("{}  {}", i + 1, stage.set.study.session.rating_labels[i]);
     const Size size = stage.canvas().measure(font, text);
     stage.canvas().text(
         font,
@@ -183,7 +182,7 @@ void take_view(const Session& session, const Trial& due, Stage& stage) {
   const auto* choosing = std::get_if<Choosing>(&session.phase);
   const auto* rating = std::get_if<Rating>(&session.phase);
   if (looking.trial != due || (choosing == nullptr && rating == nullptr)) {
-    const Stimulus& stimulus = stage.set.manifest.stimuli.at(static_cast<std::size_t>(due.stimulus)).stimulus;
+    const Stimulus& stimulus = stage.set.manifest.stimuli.at(due.stimulus).stimulus;
     const std::array<double, 2> start = start_deg(*view, stage.set.study, stimulus.scene);
     if (!std::holds_alternative<Storing>(session.phase))
       looking = {.trial = due,
@@ -235,7 +234,7 @@ Outcome draw_trial(const Session& session, Stage& stage) {
                             look_at(stage, *due),
                             asked_by(stage, *due),
                             seen_frames(stage, *due)};
-  const Texture* picture = stage.pictures.find(*due);
+  const WindowTexture* picture = stage.pictures.find(*due);
   const auto show = [&] {
     if (picture != nullptr) show_picture(stage, *due, *picture, trial.place);
   };

@@ -47,7 +47,7 @@ struct LookDraft {
 
 /// A view to be drawn below what the canvas holds.
 struct PanoramaOnScreen {
-  const Texture* panorama = nullptr;
+  const WindowTexture* panorama = nullptr;
   Rect rect;
   PanoramaPose pose;
 };
@@ -69,10 +69,10 @@ struct Stage {
   std::optional<int> picture_seen = {};   ///< in it, of those that a task's trial shows in turn, from 0
   std::optional<int> mask_seen = {};      ///< the same of the picture whose mask is seen
   double text_scale = 1;                  ///< what the person chose, on top of the study's
-  std::vector<std::vector<Texture>> instruction_pictures = {};  ///< by page
-  Texture stripes = {};                                         ///< of the gamma pattern
-  bool leave = false;                                           ///< the person asked to leave for now
-  bool close = false;                                           ///< the last page was closed
+  std::vector<std::vector<WindowTexture>> instruction_pictures = {};  ///< by page
+  WindowTexture stripes = {};                                         ///< of the gamma pattern
+  bool leave = false;                                                 ///< the person asked to leave for now
+  bool close = false;                                                 ///< the last page was closed
   std::optional<int> comfort = {};  ///< the answer at a break, from 1, that is not yet noted
 
   [[nodiscard]] std::string phrase(Phrase which,

@@ -39,7 +39,7 @@ void choose_text_size(Stage& stage) {
   if (options.size() < 2) return;
   stage.ui.note(stage.phrase(Phrase::text_size));
   const int now = stage.ui.choice("text_size", options, chosen, Font::small);
-  if (now >= 0 && now != chosen) stage.text_scale = sizes.at(static_cast<std::size_t>(now)).scale;
+  if (now >= 0 && now != chosen) stage.text_scale = sizes.at(now).scale;
 }
 
 }  // namespace seamline::study::app

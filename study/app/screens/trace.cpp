@@ -55,7 +55,7 @@ void Trace::shown(const Visit& visit, const Stage& stage) {
         line["fov_deg"] = view->horizontal_fov_deg;
       }
       line["kind"] = word(due->kind);
-      line["stimulus"] = stage.set.manifest.stimuli.at(static_cast<std::size_t>(due->stimulus)).id;
+      line["stimulus"] = stage.set.manifest.stimuli.at(due->stimulus).id;
       for (const PictureFrame& frame : seen_frames(stage, *due))
         line["objects"].push_back(rectangle(on_screen(place, frame)));
     }

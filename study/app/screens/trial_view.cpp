@@ -35,11 +35,10 @@ Size shown_size(const Stage& stage) {
 const LookDefinition* look_at(const Stage& stage, const Trial& trial) {
   if (!is_panorama(stage.set.study)) return nullptr;
   if (stage.looking.zoomed && stage.looking.trial == trial) return &*stage.looking.zoomed;
-  return look_of(stage.set.study,
-                 stage.set.manifest.stimuli.at(static_cast<std::size_t>(trial.stimulus)).stimulus.condition);
+  return look_of(stage.set.study, stage.set.manifest.stimuli.at(trial.stimulus).stimulus.condition);
 }
 
-void show_picture(Stage& stage, const Trial& trial, const Texture& picture, const TrialPlace& place) {
+void show_picture(Stage& stage, const Trial& trial, const WindowTexture& picture, const TrialPlace& place) {
   const LookDefinition* view = look_at(stage, trial);
   if (view == nullptr) return stage.canvas().picture(picture, place.picture);
   stage.panorama = {&picture, place.picture, {axes_of(stage.looking.pose), half_tangents(*view)}};

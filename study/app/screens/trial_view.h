@@ -12,7 +12,7 @@ namespace seamline::study::app {
 [[nodiscard]] const LookDefinition* look_at(const Stage& stage, const Trial& trial);
 
 /// Puts a trial's picture on the screen, whole or as the view of it.
-void show_picture(Stage& stage, const Trial& trial, const Texture& picture, const TrialPlace& place);
+void show_picture(Stage& stage, const Trial& trial, const WindowTexture& picture, const TrialPlace& place);
 
 /// The objects of a trial as they are seen in the picture or the view of it.
 [[nodiscard]] std::vector<PictureFrame> seen_frames(const Stage& stage, const Trial& trial);

@@ -11,7 +11,7 @@
 namespace seamline::live {
 
 /// A picture of the real world from an eye, into which virtual things are put.
-struct EyePicture {
+struct LiveEye {
   renderer::DrawView view;            ///< of the eye, in the frame of the scene
   renderer::DepthPicture real;        ///< planar depth of what its pixels show; infinity: not known
   renderer::DepthPicture ghosts;      ///< the same of the local scene, where `Occlusion::ghosts` asks for it
@@ -37,7 +37,7 @@ struct ObjectPass {
 /// Draws the virtual things: a ray through each pixel's centre, of those pixels in which their boxes lie;
 /// diffuse, lit by suns and lamps as far as the shadows let them, and by the sky from everywhere. Fills
 /// `covered`.
-void draw_objects(const ObjectPass& pass, EyePicture& eye);
+void draw_objects(const ObjectPass& pass, LiveEye& eye);
 
 /// Darkens real surfaces where a virtual thing takes away their light: times
 ///
@@ -53,6 +53,6 @@ struct ShadowPass {
   int surface_reach_px = 8;
   int threads = 1;
 };
-void darken_shadows(const ShadowPass& pass, EyePicture& eye);
+void darken_shadows(const ShadowPass& pass, LiveEye& eye);
 
 }  // namespace seamline::live

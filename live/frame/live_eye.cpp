@@ -1,4 +1,4 @@
-#include "live/frame/eye_picture.h"
+#include "live/frame/live_eye.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "window/texture.h"
+#include "window/window_texture.h"
 
 #include <GL/gl.h>
 #include <GL/glext.h>
@@ -30,21 +30,21 @@ void set_fixed_sampling() {
 
 }  // namespace
 
-Texture::~Texture() {
+WindowTexture::~WindowTexture() {
   if (name_ != 0) glDeleteTextures(1, &name_);
 }
 
-Texture::Texture(Texture&& other) noexcept
+WindowTexture::WindowTexture(WindowTexture&& other) noexcept
     : name_(std::exchange(other.name_, 0)), width_px_(other.width_px_), height_px_(other.height_px_) {}
 
-Texture& Texture::operator=(Texture&& other) noexcept {
+WindowTexture& WindowTexture::operator=(WindowTexture&& other) noexcept {
   std::swap(name_, other.name_);
   std::swap(width_px_, other.width_px_);
   std::swap(height_px_, other.height_px_);
   return *this;
 }
 
-void Texture::upload(const ByteImage& image) {
+void WindowTexture::upload(const ByteImage& image) {
   assert(image.channels == 1 || image.channels == 3);
   std::vector<std::uint8_t> expanded;
   if (image.channels == 1) expanded = as_rgb(image);
@@ -64,7 +64,7 @@ void Texture::upload(const ByteImage& image) {
   set_fixed_sampling();
 }
 
-void Texture::upload_coverage(int width_px, int height_px, std::span<const std::uint8_t> coverage) {
+void WindowTexture::upload_coverage(int width_px, int height_px, std::span<const std::uint8_t> coverage) {
   if (width_px <= 0 || height_px <= 0) return;
   std::vector<std::uint8_t> white;
   white.reserve(coverage.size() * 4);
@@ -79,7 +79,7 @@ void Texture::upload_coverage(int width_px, int height_px, std::span<const std::
   set_fixed_sampling();
 }
 
-void Texture::smooth(bool on) {
+void WindowTexture::smooth(bool on) {
   glBindTexture(GL_TEXTURE_2D, name_);
   set_parameter(GL_TEXTURE_MIN_FILTER, on ? GL_LINEAR : GL_NEAREST);
   set_parameter(GL_TEXTURE_MAG_FILTER, on ? GL_LINEAR : GL_NEAREST);

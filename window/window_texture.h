@@ -9,14 +9,14 @@ namespace seamline::inline window {
 /// A picture in graphics memory, shown pixel for pixel: 8-bit codes as they are (no sRGB conversion, no
 /// mipmaps), nearest sampling. Its storage is used again for the next picture of the same size, so memory
 /// stays flat however many pictures are shown.
-class Texture {
+class WindowTexture {
  public:
-  Texture() = default;
-  ~Texture();
-  Texture(const Texture&) = delete;
-  Texture& operator=(const Texture&) = delete;
-  Texture(Texture&& other) noexcept;
-  Texture& operator=(Texture&& other) noexcept;
+  WindowTexture() = default;
+  ~WindowTexture();
+  WindowTexture(const WindowTexture&) = delete;
+  WindowTexture& operator=(const WindowTexture&) = delete;
+  WindowTexture(WindowTexture&& other) noexcept;
+  WindowTexture& operator=(WindowTexture&& other) noexcept;
 
   /// Replaces the picture: 3 channels, or 1 shown as grey.
   void upload(const ByteImage& image);
