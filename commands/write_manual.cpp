@@ -5,10 +5,7 @@
 #include <exception>
 #include <filesystem>
 
-#include "commands/manual/bash_completion.h"
 #include "commands/manual/command_line.h"
-#include "commands/manual/manual_page.h"
-#include "commands/manual/reference_page.h"
 #include "commands/program.h"
 #include "stimuli/settings/whole/settings_page.h"
 #include "support/files/assets.h"

@@ -7,6 +7,7 @@
 #include "raytracer/common/parallel.h"
 #include "renderer/depth/sensor/pixel_mesh.h"
 #include "renderer/depth/sensor/sensor_pose.h"
+#include "support/arithmetic/grid_index.h"
 #include "support/text/numbers.h"
 
 namespace seamline::renderer {
@@ -26,9 +27,7 @@ std::vector<float> planar_depths(const Geometry& geometry, const Camera& camera,
     for (int x = 0; x < camera.width_px; ++x) {
       const Ray ray = centre_ray(camera, x, y);
       const auto hit = geometry.nearest(ray);
-      if (hit)
-        depth_m[static_cast<std::size_t>(y) * static_cast<std::size_t>(camera.width_px) +
-                static_cast<std::size_t>(x)] = hit->distance_m * ray.direction.dot(forward);
+      if (hit) depth_m[grid_index(y, x, camera.width_px)] = hit->distance_m * ray.direction.dot(forward);
     }
   });
   return depth_m;

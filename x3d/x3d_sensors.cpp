@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "support/arithmetic/grid_index.h"
 #include "support/text/html.h"
 #include "x3d/x3d_text.h"
 
@@ -45,9 +46,7 @@ std::string image_text(int width_px, int height_px, int components, PixelValue v
   std::string text = fmt::format("{} {} {}", width_px, height_px, components);
   for (int row = height_px - 1; row >= 0; --row)
     for (int column = 0; column < width_px; ++column)
-      fmt::format_to(std::back_inserter(text), " 0x{:X}",
-                     value(static_cast<std::size_t>(row) * static_cast<std::size_t>(width_px) +
-                           static_cast<std::size_t>(column)));
+      fmt::format_to(std::back_inserter(text), " 0x{:X}", valuegrid_index(row, column, width_px));
   return text;
 }
 

@@ -1,4 +1,4 @@
-#include "commands/answers/export_command.h"
+#include "commands/answers/answer_commands.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <ranges>
 #include <string>
 
-#include "commands/photographs/x3d_command.h"
+#include "commands/photographs/photograph_commands.h"
 #include "stimuli/set/clip_video.h"
 #include "study/exchange/export_tables.h"
 #include "study/online/page/web_export.h"
@@ -78,8 +78,8 @@ void run_web(const WebOptions& options) {
                                                  : options.jatos ? Origin::jatos
                                                                  : Origin::static_host,
                                          .pilot = options.pilot});
-  fmt::print("{}: {} files, {:.1f} MB, {} pictures, {}\n", options.folder, summary.files,
-             static_cast<double>(summary.bytes) / 1e6, summary.pictures,
+  fmt::print("{}: {} files, {:.1f} MB, {} pictures, {}\n", options.folder, summary.files, summary.bytes / 1e6,
+             summary.pictures,
              summary.adaptive ? std::string("trials placed by `seamline serve`")
                               : fmt::format("{} orders", summary.slots));
   if (!summary.drafts.empty())

@@ -1,4 +1,4 @@
-#include "commands/answers/fit_command.h"
+#include "commands/answers/answer_commands.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "commands/answers/gathering_command.h"
+#include "commands/answers/answer_commands.h"
 
 #include <fmt/core.h>
 

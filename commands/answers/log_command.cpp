@@ -1,4 +1,4 @@
-#include "commands/answers/log_command.h"
+#include "commands/answers/answer_commands.h"
 
 #include <fmt/format.h>
 

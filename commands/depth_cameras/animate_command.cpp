@@ -1,4 +1,4 @@
-#include "commands/depth_cameras/animate_command.h"
+#include "commands/depth_cameras/depth_camera_commands.h"
 
 #include <fmt/core.h>
 
@@ -60,7 +60,7 @@ void run_animate(const AnimateOptions& options) {
   fmt::print(
       "its joints, on its own bones, are {:.1f} mm from the recorded ones (RMS), "
       "{:.1f} mm in the worst moment\n",
-      1000 * std::sqrt(square / static_cast<double>(moved.rms_m.size())), 1000 * most_m);
+      1000 * std::sqrt(square / moved.rms_m.size()), 1000 * most_m);
   for (const Gesture& gesture : gestures) print_gesture(gesture, moved, motion.times_s);
 }
 

@@ -1,4 +1,4 @@
-#include "commands/depth_cameras/calibrate_command.h"
+#include "commands/depth_cameras/depth_camera_commands.h"
 
 #include <fmt/format.h>
 
@@ -31,7 +31,7 @@ struct CalibrateOptions {
 };
 
 /// A parameter of the result: what it is called, and which of the covariance it is.
-struct Parameter {
+struct FittedParameter {
   std::string name, unit;
   double value = 0;
   int index = 0;
@@ -40,7 +40,7 @@ struct Parameter {
 /// What was found, ready to be written and printed.
 struct Result {
   CameraFile cameras;
-  std::vector<Parameter> parameters;
+  std::vector<FittedParameter> parameters;
   Refined refined;
   std::string said;  ///< which pictures or pairs were used
 };
@@ -117,8 +117,8 @@ std::string said_of_boards(const std::vector<std::string>& files, const std::vec
                      keep.size(), what, without.empty() ? "" : "; not in " + without);
 }
 
-void add_camera(std::vector<Parameter>& parameters, const char* name, const sensors::PinholeCamera& camera,
-                int first) {
+void add_camera(std::vector<FittedParameter>& parameters, const char* name,
+                const sensors::PinholeCamera& camera, int first) {
   const sensors::LensDistortion& lens = camera.distortion;
   const std::array<std::tuple<const char*, const char*, double>, camera_parameters> all = {
       {{"fx_px", "px", camera.fx_px},
@@ -135,7 +135,7 @@ void add_camera(std::vector<Parameter>& parameters, const char* name, const sens
 }
 
 /// A turn is told as the rotation vector; its covariance is that of a small turn beside it.
-void add_pose(std::vector<Parameter>& parameters, const Eigen::Isometry3d& pose, int first) {
+void add_pose(std::vector<FittedParameter>& parameters, const Eigen::Isometry3d& pose, int first) {
   const Eigen::AngleAxisd turn(Eigen::Matrix3d(pose.linear()));
   const Eigen::Vector3d vector = turn.angle() * turn.axis();
   const char* axes = "xyz";
@@ -220,7 +220,7 @@ Result result_of(const CalibrateOptions& options) {
   return depth && colour ? result_of_two(options, known) : result_of_one(options, known);
 }
 
-double deviation(const Result& result, const Parameter& parameter) {
+double deviation(const Result& result, const FittedParameter& parameter) {
   return std::sqrt(result.refined.covariance(parameter.index, parameter.index));
 }
 
@@ -232,7 +232,7 @@ CsvTable parameter_table(const Result& result) {
        {"standard_deviation", "", "from residuals and Jacobian; of a turn: of a small turn beside it"},
        {"unit", "", "of both"}},
       {}};
-  for (const Parameter& parameter : result.parameters)
+  for (const FittedParameter& parameter : result.parameters)
     table.rows.push_back({parameter.name, parameter.value, deviation(result, parameter), parameter.unit});
   return table;
 }
@@ -243,8 +243,8 @@ CsvTable covariance_table(const Result& result) {
                   {"other", "", "of parameters.csv"},
                   {"covariance", "", "in the units of both"}},
                  {}};
-  for (const Parameter& one : result.parameters)
-    for (const Parameter& other : result.parameters)
+  for (const FittedParameter& one : result.parameters)
+    for (const FittedParameter& other : result.parameters)
       table.rows.push_back({one.name, other.name, result.refined.covariance(one.index, other.index)});
   return table;
 }
@@ -263,7 +263,7 @@ void run_calibrate(const CalibrateOptions& options) {
   for (const CsvTable& table : {parameter_table(result), covariance_table(result)})
     write_file_atomically(out / (table.name + ".csv"), csv_text(table));
   fmt::print("{}{}\n", result.said, error);
-  for (const Parameter& parameter : result.parameters)
+  for (const FittedParameter& parameter : result.parameters)
     fmt::print("  {:<34}{:>14.7g} +- {:<10.3g} {}\n", parameter.name, parameter.value,
                deviation(result, parameter), parameter.unit);
   fmt::print("(+-: one standard deviation)\n{}\n", (out / "camera.toml").string());

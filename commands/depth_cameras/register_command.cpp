@@ -1,16 +1,16 @@
-#include "commands/depth_cameras/register_command.h"
+#include "commands/depth_cameras/depth_camera_commands.h"
 
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
 #include "commands/options/setting_option.h"
+#include "raytracer/common/stopwatch.h"
 #include "registration/errors/error_report.h"
 #include "registration/files/camera_file.h"
 #include "registration/files/point_cloud.h"
@@ -46,22 +46,6 @@ struct RegisterOptions {
   double tolerance = ErrorSettings{}.tolerance;
   bool tolerance_given = false;
   bool jumps_given = false, ratio_given = false, extrusion_given = false;
-};
-
-/// Seconds of each link of the chain, for the printed text alone: files hold no time.
-class Stopwatch {
- public:
-  /// Seconds since the last call, or since it was made.
-  double lap_s() {
-    const Clock::time_point now = Clock::now();
-    const double seconds = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    return seconds;
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point last_ = Clock::now();
 };
 
 /// An option that would be ignored is refused.
@@ -186,31 +170,36 @@ ErrorClassMap write_errors(const RegisterOptions& options, const RegistrationRig
 }
 
 void print_count(const char* what, std::int64_t count, std::size_t of) {
-  fmt::print("  {:<34}{:>10}  {:5.1f} %\n", what, count,
-             100.0 * static_cast<double>(count) / static_cast<double>(of));
+  fmt::print("  {:<34}{:>10}  {:5.1f} %\n", what, count, 100.0 * count / of);
 }
 
 void run_register(const RegisterOptions& options) {
   check(options);
-  Stopwatch stopwatch;
+  // Of each link of the chain, for the printed text alone: files hold no time.
+  renderer::Stopwatch since_last_link;
+  const auto lap_s = [&] {
+    const double seconds = since_last_link.seconds();
+    since_last_link = {};
+    return seconds;
+  };
   const CameraFile cameras = cameras_of(options);
   const RegistrationRig rig = registration_rig(cameras, options.camera);
   const sensors::DepthFrame measured = read_depth(options, rig, cameras.nothing);
   const Image photograph = read_photograph(options.colour, rig.colour);
   std::optional<sensors::DepthFrame> truth;
   if (!options.true_depth.empty()) truth = read_true_depth(options.true_depth, rig);
-  const double read_s = stopwatch.lap_s();
+  const double read_s = lap_s();
   const sensors::RepairMethod method = sensors::named_repair(options.repair);
   sensors::Repaired mended = options.repair_after
                                  ? sensors::without_repair(measured)
                                  : repaired(method, measured, rig.colour_from_depth, rig, photograph);
-  double repair_s = stopwatch.lap_s();
+  double repair_s = lap_s();
   RegisteredFrame registered = registered_of(options, rig, mended);
-  const double register_s = stopwatch.lap_s();
+  const double register_s = lap_s();
   if (options.repair_after) {
     mended = repaired(method, registered.frame, Eigen::Isometry3d::Identity(), rig, photograph);
     take_repaired(registered, mended);
-    repair_s += stopwatch.lap_s();
+    repair_s += lap_s();
   }
   std::optional<Section> section;
   if (options.section_row) {
@@ -223,7 +212,7 @@ void run_register(const RegisterOptions& options) {
   if (section) draw_section(fs::path(options.out) / "section.svg", *section, *options.section_row);
   std::string errors;
   if (truth) errors = errors_text(write_errors(options, rig, *truth, measured, registered, photograph));
-  const double write_s = stopwatch.lap_s();
+  const double write_s = lap_s();
 
   const std::int64_t holes =
       std::count_if(measured.depth_m.begin(), measured.depth_m.end(), sensors::DepthFrame::is_hole);

@@ -1,4 +1,4 @@
-#include "commands/depth_cameras/relight_command.h"
+#include "commands/depth_cameras/depth_camera_commands.h"
 
 #include <fmt/core.h>
 
@@ -82,7 +82,7 @@ double square_of_difference(const ByteImage& one, const ByteImage& other) {
     const double step = double{1} * one.values[i] - other.values[i];
     sum += step * step;
   }
-  return sum / static_cast<double>(one.values.size());
+  return sum / one.values.size();
 }
 
 ByteImage difference_of(const ByteImage& one, const ByteImage& other) {

@@ -1,4 +1,4 @@
-#include "commands/depth_cameras/sense_command.h"
+#include "commands/depth_cameras/depth_camera_commands.h"
 
 #include <fmt/core.h>
 
@@ -84,9 +84,8 @@ void print_states(const sensors::Measurement& measured) {
   for (int i = 0; i < sensors::pixel_state_count; ++i) {
     const auto state = static_cast<sensors::PixelState>(i);
     if (measured.count(state) == 0) continue;
-    fmt::print(
-        "  {:<24}{:>8}  {:5.1f} %\n", sensors::name_of(state), measured.count(state),
-        100.0 * static_cast<double>(measured.count(state)) / static_cast<double>(measured.states.size()));
+    fmt::print("  {:<24}{:>8}  {:5.1f} %\n", sensors::name_of(state), measured.count(state),
+               100.0 * measured.count(state) / measured.states.size());
   }
 }
 

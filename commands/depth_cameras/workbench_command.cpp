@@ -1,4 +1,4 @@
-#include "commands/depth_cameras/workbench_command.h"
+#include "commands/depth_cameras/depth_camera_commands.h"
 
 #include <fmt/core.h>
 

@@ -1,4 +1,4 @@
-#include "commands/evidence/bench_command.h"
+#include "commands/evidence/evidence_commands.h"
 
 #include <fmt/core.h>
 
@@ -16,7 +16,7 @@
 namespace seamline::renderer {
 namespace {
 
-struct CommandLine {
+struct BenchChoices {
   BenchOptions options;
   std::string only, csv;
   bool json = false;
@@ -77,7 +77,7 @@ std::vector<CsvValue> row_of(const BenchLine& m) {
   return {m.what, m.unit, m.found, cell(m.beside), cell(m.ratio), wanted_text(m.wanted)};
 }
 
-void run_bench(const CommandLine& line) {
+void run_bench(const BenchChoices& line) {
   CsvTable table = table_of_measurements();
   nlohmann::ordered_json measurements = nlohmann::ordered_json::array();
   if (!line.json)
@@ -109,7 +109,7 @@ void run_bench(const CommandLine& line) {
 }  // namespace
 
 void add_bench_command(CLI::App& app) {
-  auto line = std::make_shared<CommandLine>();
+  auto line = std::make_shared<BenchChoices>();
   line->options.threads = default_thread_count();
   line->options.said = [](const std::string& found) { fmt::print(stderr, "  {}\n", found); };
   CLI::App* bench = app.add_subcommand("bench", "how fast the renderer is, beside what it could be");

@@ -1,4 +1,4 @@
-#include "commands/evidence/convergence_command.h"
+#include "commands/evidence/evidence_commands.h"
 
 #include <fmt/core.h>
 

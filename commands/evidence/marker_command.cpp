@@ -1,4 +1,4 @@
-#include "commands/evidence/marker_command.h"
+#include "commands/evidence/evidence_commands.h"
 
 #include <fmt/core.h>
 
@@ -62,7 +62,7 @@ constexpr std::array places = {MarkerPlace{"middle", 0},
                                MarkerPlace{"margin", -3.5 / registration::marker_squares}};
 
 /// A marker at one distance and angle.
-struct Trial {
+struct MarkerTrial {
   double distance_m = 1, angle_deg = 0;
   /// Planar, of each refinement at each place; none where the marker was not found.
   std::array<std::array<std::optional<double>, places.size()>, refinements.size()> vision_m = {};
@@ -79,7 +79,7 @@ double median(std::vector<double> values) {
 
 double percentile(std::vector<double> values, double share) {
   std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(std::lround(share * static_cast<double>(values.size() - 1)))];
+  return values[static_cast<std::size_t>(std::lround(share * (values.size() - 1)))];
 }
 
 ByteImage grey_of(const Image& radiance) {
@@ -108,14 +108,14 @@ class Laboratory {
     light_.bounces = 0;
   }
 
-  Trial measure(double distance_m, double angle_deg) const {
+  MarkerTrial measure(double distance_m, double angle_deg) const {
     const ObjectDefinition placement{.name = {},
                                      .file = {},
                                      .path = {},
                                      .position_m = {0, 0, -distance_m},
                                      .rotation_deg = {0, angle_deg, roll_deg}};
     const Geometry truth(place_meshes(board_, object_placement(placement), Eigen::Vector3d::Zero(), 0.5, 0));
-    Trial trial{.distance_m = distance_m, .angle_deg = angle_deg};
+    MarkerTrial trial{.distance_m = distance_m, .angle_deg = angle_deg};
     const ByteImage grey =
         grey_of(photograph_scene(truth, light_, rig_.colour, world(),
                                  {.spp = options_.spp, .seed = options_.seed, .threads = threads_}));
@@ -138,7 +138,7 @@ class Laboratory {
   }
 
   /// 002 (section 4): registered by points, filled by the nearest neighbour, read at one pixel.
-  void sense(const Geometry& truth, const Eigen::Isometry3d& colour_from_marker, Trial& trial) const {
+  void sense(const Geometry& truth, const Eigen::Isometry3d& colour_from_marker, MarkerTrial& trial) const {
     SensorSight sight{.surfaces = true, .projector_m = rig_.projector_m};
     const auto* flight = std::get_if<sensors::TimeOfFlightNoise>(&rig_.noise);
     if (flight != nullptr && flight->mixes) sight.sub_rays_across = 3;
@@ -158,7 +158,7 @@ class Laboratory {
         const auto at_px = sensors::project(rig_.colour, colour_from_marker * point_m(places[p]));
         if (!at_px || !sensors::is_in_picture(rig_.colour, *at_px)) continue;
         const float depth_m = registered.at(static_cast<int>(at_px->x()), static_cast<int>(at_px->y()));
-        if (!sensors::DepthFrame::is_hole(depth_m)) trial.flight_m[p].push_back(static_cast<double>(depth_m));
+        if (!sensors::DepthFrame::is_hole(depth_m)) trial.flight_m[p].push_back(depth_m);
       }
     }
   }
@@ -171,7 +171,7 @@ class Laboratory {
 };
 
 /// Deviations of time of flight from vision, in percent of vision.
-std::vector<double> deviations_percent(const Trial& trial, std::size_t refinement, std::size_t place) {
+std::vector<double> deviations_percent(const MarkerTrial& trial, std::size_t refinement, std::size_t place) {
   std::vector<double> out;
   if (!trial.vision_m[refinement][place]) return out;
   const double vision_m = *trial.vision_m[refinement][place];
@@ -185,7 +185,7 @@ double share_within(const std::vector<double>& percents) {
   return static_cast<double>(within) / static_cast<double>(percents.size());
 }
 
-CsvTable table_of(const std::vector<Trial>& trials) {
+CsvTable table_of(const std::vector<MarkerTrial>& trials) {
   CsvTable table{
       .name = "deviations",
       .columns = {{"distance_mm", "mm", "of the marker's middle from the colour camera, along its axis"},
@@ -202,7 +202,7 @@ CsvTable table_of(const std::vector<Trial>& trials) {
                   {"deviation_percent", "%", "median of (flight - vision) / vision"},
                   {"share_under_2_percent", "", "of the frames"}},
       .rows = {}};
-  for (const Trial& trial : trials)
+  for (const MarkerTrial& trial : trials)
     for (std::size_t p = 0; p < places.size(); ++p)
       for (std::size_t i = 0; i < refinements.size(); ++i) {
         std::vector<CsvValue> row = {trial.distance_m * mm_per_m, trial.angle_deg,
@@ -232,7 +232,8 @@ std::string millimetres_text(double distance_m) {
 }
 
 /// Left and middle: what 80 % of the deviations stay below, at the two places; right: the error of vision.
-void draw(const std::filesystem::path& svg, const std::vector<Trial>& trials, const MarkerOptions& options) {
+void draw(const std::filesystem::path& svg, const std::vector<MarkerTrial>& trials,
+          const MarkerOptions& options) {
   constexpr double share = 0.8;
   std::array<PlotPanel, 3> panels;
   for (std::size_t p = 0; p < places.size(); ++p) {
@@ -242,7 +243,7 @@ void draw(const std::filesystem::path& svg, const std::vector<Trial>& trials, co
     panels[p].marks.push_back({.vertical = false, .at = most_percent, .label = "002: under 2 %"});
     for (std::size_t a = 0; a < angles_deg.size(); ++a) {
       PlotLine line{.title = fmt::format("{:.0f} degrees", angles_deg[a]), .points = {}, .style = a};
-      for (const Trial& trial : trials) {
+      for (const MarkerTrial& trial : trials) {
         std::vector<double> percents = deviations_percent(trial, 0, p);
         if (trial.angle_deg != angles_deg[a] || percents.empty()) continue;
         for (double& percent : percents) percent = std::abs(percent);
@@ -258,7 +259,7 @@ void draw(const std::filesystem::path& svg, const std::vector<Trial>& trials, co
       PlotLine line{.title = fmt::format("{}, {:.0f} degrees", word(refinements[i]), angle_deg),
                     .points = {},
                     .style = 2 * i + (angle_deg > 0 ? 1 : 0)};
-      for (const Trial& trial : trials)
+      for (const MarkerTrial& trial : trials)
         if (trial.angle_deg == angle_deg && trial.vision_m[i][0])
           line.points.emplace_back(trial.distance_m * mm_per_m,
                                    std::abs(*trial.vision_m[i][0] - trial.true_m[0]) * mm_per_m);
@@ -275,11 +276,11 @@ void draw(const std::filesystem::path& svg, const std::vector<Trial>& trials, co
 }
 
 /// One refinement at one place, over all distances and angles, and at the paper's distance.
-void print_summary(const std::vector<Trial>& trials, std::size_t refinement, std::size_t place) {
+void print_summary(const std::vector<MarkerTrial>& trials, std::size_t refinement, std::size_t place) {
   std::vector<double> all, errors_mm;
   int missed = 0;
   const std::string what = fmt::format("{:<7} {:<7}", word(refinements[refinement]), places[place].name);
-  for (const Trial& trial : trials) {
+  for (const MarkerTrial& trial : trials) {
     const std::vector<double> percents = deviations_percent(trial, refinement, place);
     all.insert(all.end(), percents.begin(), percents.end());
     const std::optional<double>& vision_m = trial.vision_m[refinement][place];
@@ -314,8 +315,8 @@ void run_marker(const MarkerOptions& options) {
   write_marker_scene(folder / "marker.glb", {.side_m = options.side_m, .camera_m = paper_distance_m});
   const SceneFile board = read_scene_file(folder / "marker.glb");
   const Laboratory laboratory(options, board);
-  std::vector<Trial> trials;
-  Progress progress("marker", static_cast<double>(distances_m.size() * angles_deg.size()));
+  std::vector<MarkerTrial> trials;
+  Progress progress("marker", distances_m.size() * angles_deg.size());
   for (const double distance_m : distances_m)
     for (const double angle_deg : angles_deg) {
       trials.push_back(laboratory.measure(distance_m, angle_deg));

@@ -1,4 +1,4 @@
-#include "commands/evidence/stability_command.h"
+#include "commands/evidence/evidence_commands.h"
 
 #include <fmt/core.h>
 
@@ -18,7 +18,7 @@
 namespace seamline::stability {
 namespace {
 
-struct CommandLine {
+struct StabilityChoices {
   StabilityOptions options;
   std::string only;
   std::filesystem::path figure, csv;
@@ -30,7 +30,7 @@ void print_list(const StabilityCases& cases) {
 }
 
 /// Whether all passed.
-bool run_stability(const CommandLine& line) {
+bool run_stability(const StabilityChoices& line) {
   const StabilityCases cases = chosen_cases(line.only);
   if (line.list) {
     print_list(cases);
@@ -61,7 +61,7 @@ bool run_stability(const CommandLine& line) {
 }  // namespace
 
 void add_stability_command(CLI::App& app, bool& any_failed) {
-  auto line = std::make_shared<CommandLine>();
+  auto line = std::make_shared<StabilityChoices>();
   line->options.threads = default_thread_count();
   CLI::App* stability =
       app.add_subcommand("stability", "does the program keep its promises on stiff and extreme input");

@@ -1,4 +1,4 @@
-#include "commands/manual/bash_completion.h"
+#include "commands/manual/command_line.h"
 
 #include <map>
 

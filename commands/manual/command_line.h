@@ -40,4 +40,20 @@ struct CommandLine {
 /// The name of a command's manual page: "seamline-lab-bench".
 [[nodiscard]] std::string page_name(const Command& command);
 
+// What is written of it.
+
+/// The manual page `seamline.1`: what the program is for, its commands, files and exit statuses. In the
+/// language of groff's macros `man`. `version` e.g. "0.1.0"; the page bears no date.
+[[nodiscard]] std::string program_page(const CommandLine& line, const std::string& version);
+
+/// The manual page of one command, e.g. `seamline-render.1`.
+[[nodiscard]] std::string command_page(const Command& command, const std::string& version);
+
+/// The page of all commands (documentation/reference/commands.md): a section a command, a row an argument.
+[[nodiscard]] std::string reference_page(const CommandLine& line);
+
+/// A script for bash that completes commands, the options of each, the words that an option takes, and paths
+/// wherever any text may stand. It needs no other script.
+[[nodiscard]] std::string bash_completion(const CommandLine& line);
+
 }  // namespace seamline::packaging

@@ -1,4 +1,4 @@
-#include "commands/manual/manual_page.h"
+#include "commands/manual/command_line.h"
 
 #include <algorithm>
 #include <cctype>

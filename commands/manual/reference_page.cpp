@@ -1,4 +1,4 @@
-#include "commands/manual/reference_page.h"
+#include "commands/manual/command_line.h"
 
 #include <cctype>
 #include <vector>

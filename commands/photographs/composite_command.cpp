@@ -1,4 +1,4 @@
-#include "commands/photographs/composite_command.h"
+#include "commands/photographs/photograph_commands.h"
 
 #include <CLI/CLI.hpp>
 #include <array>

@@ -1,4 +1,4 @@
-#include "commands/photographs/flip_command.h"
+#include "commands/photographs/photograph_commands.h"
 
 #include <fmt/core.h>
 

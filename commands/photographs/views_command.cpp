@@ -1,4 +1,4 @@
-#include "commands/photographs/views_command.h"
+#include "commands/photographs/photograph_commands.h"
 
 #include <fmt/core.h>
 

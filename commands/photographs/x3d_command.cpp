@@ -1,4 +1,4 @@
-#include "commands/photographs/x3d_command.h"
+#include "commands/photographs/photograph_commands.h"
 
 #include <fmt/core.h>
 
@@ -98,7 +98,7 @@ void run_x3d(const X3dOptions& options, const CLI::App& command) {
   const X3dSummary summary = export_x3d(request);
   for (const std::string& note : summary.notes) fmt::print("{}\n", printable(note));
   fmt::print("{}: {} files, {:.1f} MB; the object has {} pixels, {} of them behind something real\n",
-             options.folder, summary.files, static_cast<double>(summary.bytes) / 1e6, summary.object_pixels,
+             options.folder, summary.files, summary.bytes / 1e6, summary.object_pixels,
              summary.hidden_pixels);
 }
 

@@ -1,4 +1,4 @@
-#include "commands/planning/freeze_command.h"
+#include "commands/planning/planning_commands.h"
 
 #include <fmt/core.h>
 

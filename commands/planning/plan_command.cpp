@@ -1,4 +1,4 @@
-#include "commands/planning/plan_command.h"
+#include "commands/planning/planning_commands.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>

@@ -1,4 +1,4 @@
-#include "commands/study/analyze_command.h"
+#include "commands/study/study_commands.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>

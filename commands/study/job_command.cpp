@@ -1,4 +1,4 @@
-#include "commands/study/job_command.h"
+#include "commands/study/study_commands.h"
 
 #include <fmt/core.h>
 
@@ -84,10 +84,9 @@ void write_cluster_job(const JobOptions& options) {
       duration_text(std::min_element(job.elements.begin(), job.elements.end(),
                                      [](const auto& a, const auto& b) { return a.seconds < b.seconds; })
                         ->seconds),
-      duration_text(job.longest_element_s()),
-      duration_text(elements_s / static_cast<double>(job.elements.size())), duration_text(all_s), job.threads,
-      job.threads == 1 ? "" : "s", job.memory_bytes >> 20, duration_text(costs.measured_s),
-      (folder / (options.slurm.empty() ? "run" : "submit")).string());
+      duration_text(job.longest_element_s()), duration_text(elements_s / job.elements.size()),
+      duration_text(all_s), job.threads, job.threads == 1 ? "" : "s", job.memory_bytes >> 20,
+      duration_text(costs.measured_s), (folder / (options.slurm.empty() ? "run" : "submit")).string());
 }
 
 void run_piece(const PieceOptions& options) {

@@ -1,4 +1,4 @@
-#include "commands/study/serve_command.h"
+#include "commands/study/study_commands.h"
 
 #include <fmt/core.h>
 

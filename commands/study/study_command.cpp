@@ -1,4 +1,4 @@
-#include "commands/study/study_command.h"
+#include "commands/study/study_commands.h"
 
 #include <fmt/format.h>
 

@@ -69,9 +69,8 @@ std::string dots_script(const EvidenceRows& rows, const std::string& heading, co
       "set yrange [{}:-1]\nset ytics ({})\n"
       "set grid ytics linecolor '#dddddd'\nunset key\nset arrow from {:.6g}, graph 0 to {:.6g}, graph 1 nohead "
       "dashtype 3 linecolor '{}'\nplot $dots using 1:2 with points pointtype 7 linecolor '{}'\n",
-      dots, (beside_labels_px + letter_px * static_cast<double>(longest)) / dots_width_px,
-      gnuplot_text(heading), gnuplot_text(of.x_label), row_number, ticks, of.wanted, of.wanted, plot_ink,
-      plot_style(0).colour);
+      dots, (beside_labels_px + letter_px * longest) / dots_width_px, gnuplot_text(heading),
+      gnuplot_text(of.x_label), row_number, ticks, of.wanted, of.wanted, plot_ink, plot_style(0).colour);
 }
 
 void draw_dots(const fs::path& table, const fs::path& svg, const std::string& heading,

@@ -1,4 +1,4 @@
-#include "laboratory/evidence/evidence_of_answers.h"
+#include "laboratory/evidence/evidence_page.h"
 
 #include <utility>
 

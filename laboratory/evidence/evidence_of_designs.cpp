@@ -1,4 +1,4 @@
-#include "laboratory/evidence/evidence_of_designs.h"
+#include "laboratory/evidence/evidence_page.h"
 
 #include <array>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "laboratory/evidence/evidence_of_pictures.h"
+#include "laboratory/evidence/evidence_page.h"
 
 #include <tuple>
 #include <utility>

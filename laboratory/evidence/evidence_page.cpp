@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "laboratory/evidence/evidence_of_answers.h"
-#include "laboratory/evidence/evidence_of_designs.h"
-#include "laboratory/evidence/evidence_of_pictures.h"
 #include "support/text/error.h"
 #include "support/text/suggest.h"
 

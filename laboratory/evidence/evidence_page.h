@@ -66,4 +66,24 @@ inline constexpr const char* python_needed = "the source, Python";
 /// Throws InputError naming the nearest page where there is none of that name.
 [[nodiscard]] const EvidencePage& evidence_page(const std::string& name);
 
+// Pages on what is computed from answers: thresholds, intervals, fits.
+
+[[nodiscard]] EvidencePage coverage_page();
+[[nodiscard]] EvidencePage replication_page();
+[[nodiscard]] EvidencePage joint_model_page();
+[[nodiscard]] EvidencePage statistics_page();
+
+// Pages on pictures: their errors, told and true, and what is predicted from them.
+
+[[nodiscard]] EvidencePage convergence_page();
+[[nodiscard]] EvidencePage predictions_page();
+[[nodiscard]] EvidencePage real_time_page();
+[[nodiscard]] EvidencePage true_errors_page();
+
+// Pages on what surrounds the pictures: plans of studies, depth cameras and things that rest, contact sheets.
+
+[[nodiscard]] EvidencePage planning_page();
+[[nodiscard]] EvidencePage depth_cameras_page();
+[[nodiscard]] EvidencePage pictures_page();
+
 }  // namespace seamline::laboratory

@@ -145,7 +145,7 @@ std::string summary_of(const SummaryColumn& column, const std::vector<std::strin
     }
   if (numbers.empty()) return no_value;
   const auto [low, high] = std::minmax_element(numbers.begin(), numbers.end());
-  const double mean = sum / static_cast<double>(numbers.size());
+  const double mean = sum / numbers.size();
   switch (column.shows) {
     case Summary::mean:
       return fmt::format("{:.{}f}", mean, column.decimals);
@@ -214,7 +214,7 @@ TextTable summarised(const EvidenceTable& table, const fs::path& folder) {
       if (!rows.passes(row, table.where) || rows.holds_any(row, table.but_not)) continue;
       const std::string name = row_name(table, source, rows, row);
       const auto found = std::find(names.begin(), names.end(), name);
-      const auto place = static_cast<std::size_t>(found - names.begin());
+      const std::size_t place = found - names.begin();
       if (found == names.end()) {
         names.push_back(name);
         cells.emplace_back(table.columns.size());

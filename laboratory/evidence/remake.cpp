@@ -81,9 +81,7 @@ const std::vector<EvidenceStep>& steps_of(const EvidencePage& page, bool small) 
 double children_processor_s() {
   rusage used{};
   getrusage(RUSAGE_CHILDREN, &used);
-  const auto seconds = [](const timeval& time) {
-    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-  };
+  const auto seconds = [](const timeval& time) { return time.tv_sec + 1e-6 * time.tv_usec; };
   return seconds(used.ru_utime) + seconds(used.ru_stime);
 }
 

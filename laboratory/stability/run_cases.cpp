@@ -71,7 +71,7 @@ std::vector<CaseOutcome> run_cases(const StabilityCases& cases, const StabilityO
       beside.push_back(i);
   }
   run_parallel(static_cast<int>(beside.size()), options.threads,
-               [&](int i) { run(beside[static_cast<std::size_t>(i)], {.threads = 1}); });
+               [&](int i) { run(beside[i], {.threads = 1}); });
   std::vector<CaseOutcome> all;
   for (std::optional<CaseOutcome>& outcome : outcomes) all.push_back(std::move(outcome.value()));
   return all;

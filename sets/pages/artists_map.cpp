@@ -11,6 +11,7 @@
 #include "stimuli/pictures/seam_measure.h"
 #include "stimuli/set/manifest_pictures.h"
 #include "stimuli/set/set_study.h"
+#include "support/arithmetic/grid_index.h"
 #include "support/running/interrupt.h"
 #include "support/running/parallel.h"
 #include "support/running/progress.h"
@@ -68,11 +69,9 @@ PixelSet grown(const PixelSet& set, int reach_px) {
   if (none) return set;
   // Beyond the picture every pixel is left out, and would be near: there is no seam there.
   PixelSet padded{rest.width_px + 2 * (reach_px + 1), rest.height_px + 2 * (reach_px + 1), {}};
-  padded.values.assign(static_cast<std::size_t>(padded.width_px) * static_cast<std::size_t>(padded.height_px),
-                       1);
+  padded.values.assign(padded.width_px * static_cast<std::size_t>(padded.height_px), 1);
   const auto place = [&](int x, int y) {
-    return static_cast<std::size_t>(y + reach_px + 1) * static_cast<std::size_t>(padded.width_px) +
-           static_cast<std::size_t>(x + reach_px + 1);
+    return grid_index(y + reach_px + 1, x + reach_px + 1, padded.width_px);
   };
   PixelSet out = set;
   std::size_t i = 0;
@@ -103,10 +102,10 @@ class TruthMap {
     std::vector<SeamAtWidth> out(records.size());
     run_parallel(static_cast<int>(records.size()), 0,
                  [&](int index) {
-                   const ManifestStimulus& record = *records[static_cast<std::size_t>(index)];
+                   const ManifestStimulus& record = *records[index];
                    const SignedDifference difference = signed_difference(
                        read_manifest_picture(set_folder_, stimulus_picture(manifest_, record)), reference_);
-                   out[static_cast<std::size_t>(index)] = {
+                   out[index] = {
                        record.stimulus.depth.width_px,
                        without_specks(seam_pixels(difference, noise_tiles(difference), rule.seam_step),
                                       rule.least_px)};
@@ -181,19 +180,16 @@ ByteImage artists_picture(const ByteImage& reference, const std::vector<Geometry
   constexpr int row_px = 22, swatch_px = 14, text_px = 13;
   ByteImage out{
       reference.width_px, reference.height_px + row_px * static_cast<int>(needs_shown.size()) + 6, 3, {}};
-  out.values.assign(static_cast<std::size_t>(out.width_px) * static_cast<std::size_t>(out.height_px) * 3,
-                    paper_code);
+  out.values.assign(out.width_px * static_cast<std::size_t>(out.height_px) * 3, paper_code);
   std::array<std::int64_t, 4> counts{};
   const auto paint = [&](int x, int y, const std::array<double, 3>& codes) {
-    const std::size_t at = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(out.width_px) +
-                                static_cast<std::size_t>(x));
+    const std::size_t at = 3 * grid_index(y, x, out.width_px);
     for (std::size_t c = 0; c < 3; ++c)
       out.values[at + c] = static_cast<std::uint8_t>(std::lround(std::clamp(codes[c], 0.0, 255.0)));
   };
   for (int y = 0; y < reference.height_px; ++y)
     for (int x = 0; x < reference.width_px; ++x) {
-      const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(reference.width_px) +
-                            static_cast<std::size_t>(x);
+      const std::size_t i = grid_index(y, x, reference.width_px);
       const double grey = 0.3 * reference.values[3 * i] + 0.59 * reference.values[3 * i + 1] +
                           0.11 * reference.values[3 * i + 2];
       const GeometryNeed need = needs[i];
@@ -218,8 +214,7 @@ ByteImage artists_picture(const ByteImage& reference, const std::vector<Geometry
       }
     draw_text(out, 12 + 2 * swatch_px, top + swatch_px - 2,
               fmt::format("{} ({:.1f} % of the picture)", legend_text(need, rule),
-                          100.0 * static_cast<double>(counts[static_cast<std::size_t>(need)]) /
-                              static_cast<double>(needs.size())),
+                          100.0 * counts[static_cast<std::size_t>(need)] / needs.size()),
               text_px, ink_code);
     top += row_px;
   }
@@ -259,7 +254,7 @@ std::vector<std::filesystem::path> write_artists_maps(const std::filesystem::pat
   const int reach_px =
       std::max(1, static_cast<int>(std::lround(rule.reach_deg * study.observer.pixels_per_degree)));
   double stimuli = 0;
-  for (const auto& [truth, records] : by_truth) stimuli += static_cast<double>(records.size());
+  for (const auto& [truth, records] : by_truth) stimuli += records.size();
   Progress progress("geometry needs of " + manifest.study_name, stimuli);
   std::vector<std::filesystem::path> written;
   for (const ManifestReference& reference : manifest.references) {

@@ -83,12 +83,12 @@ std::vector<ClipSeam> read_clip_seams(const std::filesystem::path& set_folder, c
   const ClipPaths stimuli = paths_of(set_folder, set->stimuli);
   const ClipPaths references = paths_of(set_folder, set->references);
   std::vector<ClipSeam> clips(seams.rows.size());
-  Progress progress("clips of " + seams.study_name, static_cast<double>(clips.size()));
+  Progress progress("clips of " + seams.study_name, clips.size());
   int told = 0;
   run_parallel(static_cast<int>(clips.size()), 0,
                [&](int index) {
-                 const SeamRow& row = seams.rows[static_cast<std::size_t>(index)];
-                 clips[static_cast<std::size_t>(index)] =
+                 const SeamRow& row = seams.rows[index];
+                 clips[index] =
                      seam_of_clip(path_of(stimuli, row.id), path_of(references, truth_of(row.stimulus)));
                },
                {.tick = [&](int finished) {

@@ -2,18 +2,123 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
+#include <optional>
+#include <string>
 
-#include "sets/pages/errors_figure.h"
 #include "sets/pages/page_frame.h"
 #include "sets/set_errors.h"
 #include "support/files/atomic_file.h"
 #include "support/files/confined_path.h"
+#include "support/files/gnuplot.h"
 #include "support/running/progress.h"
+#include "support/text/error.h"
 #include "support/text/html.h"
 
 namespace seamline::renderer {
 namespace {
+
+constexpr int width_px = 900, height_px = 520;
+
+/// Point types of gnuplot: circle, square, triangle, diamond, each hollow and filled.
+struct PointType {
+  int hollow, filled;
+};
+constexpr std::array<PointType, 4> point_types = {{{6, 7}, {4, 5}, {8, 9}, {12, 13}}};
+
+std::string block_name(Artifact artifact, const char* what) {
+  return fmt::format("${}_{}", word(artifact), what);
+}
+
+/// A data block of one artifact; empty when there is nothing in it.
+template <class Error>
+std::string block(const SetErrors& errors, Artifact artifact, const char* what, const Error& error) {
+  std::string lines;
+  for (const StimulusErrorRow& row : errors.rows) {
+    const std::optional<double> value = error(row);
+    if (row.artifact != artifact || !row.seconds || !value || !(*value > 0) || !(*row.seconds > 0)) continue;
+    lines += fmt::format("{:.6g} {:.6g}\n", *row.seconds, *value);
+  }
+  return lines.empty() ? "" : fmt::format("{} << EOD\n{}EOD\n", block_name(artifact, what), lines);
+}
+
+/// Smallest and largest of what is drawn, a third beyond both.
+struct Range {
+  double from = 1.0 / 255, to = 1.0 / 255;
+  void add(double value) {
+    if (!(value > 0)) return;
+    from = std::min(from, value / 1.33);
+    to = std::max(to, value * 1.33);
+  }
+};
+
+/// Labels that a narrow range of a logarithmic axis still has some of.
+std::string ticks() {
+  std::string list;
+  for (const char* decade : {"1e-4", "1e-3", "1e-2", "1e-1", "1", "10", "100", "1000"})
+    for (const char* step : {"1", "2", "3", "5"})
+      list += fmt::format("{}{}*{}", list.empty() ? "" : ", ", step, decade);
+  return "(" + list + ")";
+}
+
+/// Both axes: seconds and errors of every stimulus.
+std::string axes(const SetErrors& errors) {
+  Range seconds{1e30, 0}, error;
+  error.add(1.0 / 255);
+  for (const StimulusErrorRow& row : errors.rows) {
+    seconds.add(row.seconds.value_or(0));
+    error.add(row.estimated.value_or(0));
+    if (row.measured) error.add(row.measured->rmse);
+  }
+  return fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\nset xtics {}\nset ytics {}\n", seconds.from,
+                     seconds.to, error.from, error.to, ticks(), ticks());
+}
+
+std::string script(const SetErrors& errors) {
+  std::string data, plots;
+  std::size_t index = 0;
+  for (const Artifact artifact : every_artifact) {
+    const std::string estimated =
+        block(errors, artifact, "estimated", [](const StimulusErrorRow& row) { return row.estimated; });
+    const std::string measured =
+        block(errors, artifact, "true", [](const StimulusErrorRow& row) -> std::optional<double> {
+          return row.measured ? std::optional(row.measured->rmse) : std::nullopt;
+        });
+    if (estimated.empty() && measured.empty()) continue;
+    const PointType type = point_types[index % point_types.size()];
+    const auto plot = [&](const char* what, int point) {
+      plots += fmt::format("{} with points pointtype {} pointsize 0.9 linecolor '{}' title '{}, {}', \\\n",
+                           block_name(artifact, what), point, plot_style(index).colour, word(artifact), what);
+    };
+    if (!estimated.empty()) plot("estimated", type.hollow);
+    if (!measured.empty()) plot("true", type.filled);
+    data += estimated + measured;
+    ++index;
+  }
+  if (plots.empty()) return "";
+  return fmt::format(
+      "{}set logscale xy\nset border 3 linecolor '{}'\nset tics nomirror textcolor '{}'\nset grid linecolor "
+      "'#dddddd' linetype 1 linewidth 0.5\nset key outside right top\nset xlabel 'seconds of the stimulus'\n"
+      "set ylabel 'RMSE (display units)'\nset format y '%g'\nset format x '%g'\n{}plot {}1.0/255 with lines "
+      "dashtype 3 linecolor '{}' title 'one 8-bit "
+      "step'\n",
+      data, plot_ink, plot_ink, axes(errors), plots, plot_ink);
+}
+
+/// Error against seconds, log-log, as SVG text to put into a page: one colour an artifact, estimated hollow,
+/// true filled, one 8-bit step dotted. None when there is no gnuplot, or nothing to draw.
+std::optional<std::string> errors_figure(const SetErrors& errors) {
+  const std::string text = script(errors);
+  if (text.empty()) return std::nullopt;
+  try {
+    require_gnuplot();
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+  const std::string svg = drawn_svg(width_px, height_px, text);
+  return svg.substr(std::min(svg.find("<svg"), svg.size()));
+}
 
 namespace fs = std::filesystem;
 
@@ -27,7 +132,7 @@ std::string summary(const SetErrors& e) {
       "<p>{} stimuli of {} x {} pixels; {} of work on {} threads ({}), {:.0f} million rays.</p>\n"
       "<table><thead><tr><th>Where the time went</th><th>seconds</th><th>share</th></tr></thead><tbody>",
       e.rows.size(), e.width_px, e.height_px, duration_text(s.total()), e.threads, html_escape(e.machine),
-      static_cast<double>(e.rays) * 1e-6);
+      e.rays * 1e-6);
   const auto line = [&](const char* what, double seconds) {
     text += fmt::format("<tr><td>{}</td><td>{:.1f}</td><td>{:.0f} %</td></tr>", what, seconds,
                         s.total() > 0 ? 100 * seconds / s.total() : 0.0);
@@ -66,8 +171,8 @@ std::string row_text(const StimulusErrorRow& row) {
   const bool above = m && row.estimated && m->rmse > *row.estimated;
   return fmt::format(
       "<tr><td>{}</td><td>{}</td><td>{:.2f}</td><td>{}</td><td>{}</td><td>{}</td><td{}>{}</td><td>{}</td>",
-      html_escape(row.id), number(row.seconds, 2), static_cast<double>(row.rays) * 1e-6, row.spp,
-      number(row.estimated, 4), number(row.estimated_worst_tile, 4), above ? " class=\"above\"" : "",
+      html_escape(row.id), number(row.seconds, 2), row.rays * 1e-6, row.spp, number(row.estimated, 4),
+      number(row.estimated_worst_tile, 4), above ? " class=\"above\"" : "",
       m ? fmt::format("{:.4f} &plusmn; {:.4f}", m->rmse, m->standard_error) : "&ndash;",
       m ? fmt::format("{:.4f}", m->worst_tile) : "&ndash;");
 }
@@ -100,7 +205,7 @@ std::string table(const SetErrors& errors) {
   return text + fmt::format(
                     "</tbody><tfoot><tr><td>{} stimuli</td><td>{:.1f}</td><td>{:.1f}</td><td></td><td></td>"
                     "<td></td><td></td><td></td>{}</tr></tfoot></table></div>\n",
-                    errors.rows.size(), errors.seconds.stimuli, static_cast<double>(rays) * 1e-6,
+                    errors.rows.size(), errors.seconds.stimuli, rays * 1e-6,
                     errors.of_clips ? "<td></td>" : "");
 }
 

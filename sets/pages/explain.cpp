@@ -209,31 +209,28 @@ std::string explain_savings(const std::string& scene, const Savings& savings) {
   };
   const auto shared = static_cast<double>(savings.joint.traced) * static_cast<double>(savings.stimuli);
   row("shared_truth", shared,
-      fmt::format("{} times the joint pass of {} rays", savings.stimuli,
-                  millions(static_cast<double>(savings.joint.traced))));
+      fmt::format("{} times the joint pass of {} rays", savings.stimuli, millions(savings.joint.traced)));
   if (counts.tails_traced > 0) {
     const double rays_each = static_cast<double>(counts.tail_rays) / static_cast<double>(counts.tails_traced);
-    const auto left_out = static_cast<double>(counts.tails_left_out);
+    const double left_out = counts.tails_left_out;
     row("path_tails", left_out * rays_each,
         fmt::format("{} tails at {:.2f} rays", millions(left_out), rays_each));
   }
   if (const FrameBlocks& blocks = savings.frames; blocks.count() > 0) {
-    const double percent = 100.0 / static_cast<double>(blocks.count());
-    row("shared_frames", static_cast<double>(blocks.rays_spared),
+    const double percent = 100.0 / blocks.count();
+    row("shared_frames", blocks.rays_spared,
         fmt::format("{:.0f} % of the blocks as in the clip's base, {:.0f} % beside it",
-                    percent * static_cast<double>(blocks.as_in_base),
-                    percent * static_cast<double>(blocks.beside_base)));
+                    percent * blocks.as_in_base, percent * blocks.beside_base));
   }
   row("ratio_samples", savings.ratio_rays,
-      fmt::format("{} samples of the depth mesh", millions(static_cast<double>(savings.ratio_samples))));
-  row("untouched_tiles", static_cast<double>(savings.untouched_rays),
+      fmt::format("{} samples of the depth mesh", millions(savings.ratio_samples)));
+  row("untouched_tiles", savings.untouched_rays,
       fmt::format("{} blocks of pixels, camera rays alone", savings.untouched_blocks));
-  row("dark_sky", static_cast<double>(counts.dark_sky_rays), "last rays of paths");
+  row("dark_sky", counts.dark_sky_rays, "last rays of paths");
   if (savings.order_bytes > 0)
-    rows.push_back({"who_is_in_front",
-                    fmt::format("{:.1f} MB", static_cast<double>(savings.order_bytes) * 1e-6),
-                    "of samples, not kept"});
-  const auto traced = static_cast<double>(counts.traced);
+    rows.push_back(
+        {"who_is_in_front", fmt::format("{:.1f} MB", savings.order_bytes * 1e-6), "of samples, not kept"});
+  const double traced = counts.traced;
   std::string out =
       fmt::format("\n{}: {} rays traced, about {} left out\n", scene, millions(traced), millions(rays));
   return out + table(rows, 4);

@@ -122,7 +122,7 @@ void withhold(const People& people, const std::vector<std::string>& fields, std:
 /// Withholds answers of at least `k` people until everybody's row is that of `k`. Each keeps as many
 /// questions as go with `k` - 1 others who are left; those who are left over at last take others with them.
 void withhold_until_alike(People left, std::vector<std::string> fields, int k) {
-  const auto size = static_cast<std::size_t>(k);
+  const std::size_t size = k;
   std::map<std::string, std::size_t> different;
   for (const std::string& field : fields) different[field] = counts_of(left, field).size();
   std::stable_sort(fields.begin(), fields.end(),
@@ -146,7 +146,7 @@ void withhold_until_alike(People left, std::vector<std::string> fields, int k) {
                                       [](const People& a, const People& b) { return a.size() < b.size(); });
   const std::size_t missing = size - left.size();
   const std::size_t taken = largest.size() >= size + missing ? missing : largest.size();
-  left.insert(left.end(), largest.end() - static_cast<std::ptrdiff_t>(taken), largest.end());
+  left.insert(left.end(), largest.end() - taken, largest.end());
   withhold(left, fields, fields.size());
 }
 

@@ -2,20 +2,24 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <map>
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "stimuli/definition/parts/task_definition.h"
 #include "study/exchange/clip_records.h"
 #include "study/exchange/exposure_records.h"
-#include "study/exchange/look_tables.h"
+#include "study/exchange/look_records.h"
 #include "study/exchange/match_records.h"
 #include "study/exchange/slider_records.h"
+#include "study/log/log.h"
 #include "study/log/online/reading_languages.h"
+#include "support/text/csv.h"
 
 namespace seamline::study {
 
@@ -42,6 +46,74 @@ std::string correct_words(const LogContents& log) {
 
 namespace {
 
+CsvTable table_of_poses(const std::vector<LookedTrial>& looks) {
+  CsvTable table{.name = "poses",
+                 .columns = {{"participant", "", "code of the participant"},
+                             {"trial_index", "", "place in the participant's order, catch trials counted"},
+                             {"time_s", "s", "from the picture's onset"},
+                             {"yaw_deg", "degrees", "to the right of the scene camera's direction"},
+                             {"pitch_deg", "degrees", "up from the horizon"}},
+                 .rows = {}};
+  const bool has_field = std::any_of(looks.begin(), looks.end(), [](const LookedTrial& one) {
+    return std::any_of(one.poses.begin(), one.poses.end(),
+                       [](const PoseAt& at) { return at.fov_deg.has_value(); });
+  });
+  if (has_field)
+    table.columns.push_back(
+        {"fov_deg", "degrees", "horizontal field of view; empty where keys cannot change it"});
+  for (const LookedTrial& one : looks)
+    for (const PoseAt& at : one.poses) {
+      table.rows.push_back(
+          {one.participant, std::int64_t{one.trial_index}, 1e-3 * at.ms, at.pose.yaw_deg, at.pose.pitch_deg});
+      if (has_field)
+        table.rows.back().push_back(at.fov_deg ? CsvValue(*at.fov_deg) : CsvValue(std::string()));
+    }
+  return table;
+}
+
+CsvTable table_of_comfort(const std::vector<ComfortAnswer>& answers) {
+  CsvTable table{
+      .name = "comfort",
+      .columns = {{"participant", "", "code of the participant"},
+                  {"answered", "trials", "answered before the break"},
+                  {"comfort", "1 to 5", "the answer to comfort_question, its place in comfort_labels"}},
+      .rows = {}};
+  for (const ComfortAnswer& one : answers)
+    table.rows.push_back({one.participant, std::int64_t{one.answered}, std::int64_t{one.comfort}});
+  return table;
+}
+
+/// Of a study with panoramas two tables: `looks`, a row for each answer to a stimulus (degrees turned, first
+/// look at the inserted object, share of time facing it), and `poses`, a row for each pose. Of others none.
+std::vector<CsvTable> look_tables(const LogContents& log) {
+  const std::vector<LookedTrial> looks = read_looks(log);
+  if (looks.empty()) return {};
+  CsvTable table{
+      .name = "looks",
+      .columns = {{"participant", "", "code of the participant"},
+                  {"trial_index", "", "place in the participant's order, catch trials counted"},
+                  {"stimulus_id", "", "as in the set's manifest"},
+                  {"condition", "", "name of the condition; empty where the study has one"},
+                  {"object_yaw_deg", "degrees",
+                   "where the inserted object stands, to the right of the start"},
+                  {"degrees_turned", "degrees", "sum of the angles between one pose and the next"},
+                  {"first_look_s", "s",
+                   "until the view first faced the object (15 degrees to either side); empty: never"},
+                  {"share_facing", "", "share of the time until the rating in which it did"}},
+      .rows = {}};
+  for (const auto& [place, yaw_deg, made] : measured_looks(log, looks)) {
+    const Answer& answer = log.answers[place];
+    table.rows.push_back({answer.participant, std::int64_t{answer.trial_index}, answer.stimulus_id,
+                          answer.condition, yaw_deg, made.degrees_turned,
+                          made.first_look_s ? CsvValue(*made.first_look_s) : CsvValue(std::string()),
+                          made.share_facing});
+  }
+  std::vector<CsvTable> tables = {std::move(table), table_of_poses(looks)};
+  if (const std::vector<ComfortAnswer> answers = read_comfort(log); !answers.empty())
+    tables.push_back(table_of_comfort(answers));
+  return tables;
+}
+
 CsvValue whole(std::int64_t value) {
   return value;
 }
@@ -52,7 +124,7 @@ CsvValue as_text(std::string_view value) {
   return std::string(value);
 }
 CsvValue in_seconds(std::int64_t time_ns) {
-  return 1e-9 * static_cast<double>(time_ns);
+  return 1e-9 * time_ns;
 }
 
 CsvTable table_of_answers(const LogContents& log) {

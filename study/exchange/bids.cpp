@@ -28,7 +28,7 @@ CsvValue whole_cell(std::int64_t value) {
   return value;
 }
 CsvValue time_cell(std::int64_t time_ns) {
-  return 1e-9 * static_cast<double>(time_ns);
+  return 1e-9 * time_ns;
 }
 
 /// What the column of places means.

@@ -133,7 +133,7 @@ std::vector<MeasuredLook> measured_looks(const LogContents& log, const std::vect
     const auto found = of_trial.find({answer.participant, answer.trial_index});
     const auto yaw = yaws.find({answer.scene, answer.object});
     if (found == of_trial.end() || yaw == yaws.end()) continue;
-    const double end_ms = 1e-6 * static_cast<double>(answer.rating_ns);
+    const double end_ms = 1e-6 * answer.rating_ns;
     measured.push_back({i, yaw->second, measure_look(found->second->poses, yaw->second, end_ms)});
   }
   return measured;

@@ -5,14 +5,13 @@
 
 #include "stimuli/definition/parts/task_definition.h"
 #include "stimuli/study_file/study_file.h"
+#include "study/exchange/trial_events.h"
 #include "study/log/log_database.h"
 #include "study/log/log_values.h"
 #include "study/trials/level_ladders.h"
 
 namespace seamline::study {
 namespace {
-
-using TrialOfPerson = std::pair<std::string, int>;
 
 /// The stimulus at which each match stopped, of the session in which it was answered.
 std::map<TrialOfPerson, std::string> matched_stimuli(SQLite::Database& database,
@@ -60,9 +59,7 @@ KnownStimuli known_stimuli(const LogContents& log) {
 int number_of_stimulus(const KnownStimuli& known, const LogContents& log, const Answer& answer,
                        const std::string& id) {
   const auto found = known.number_of.find(id);
-  if (found != known.number_of.end() &&
-      known.ladders.places[static_cast<std::size_t>(found->second)].ladder >= 0)
-    return found->second;
+  if (found != known.number_of.end() && known.ladders.places[found->second].ladder >= 0) return found->second;
   throw input_error({.file = log.file.string(),
                      .field = "events.detail",
                      .wanted = "a level for the match of trial " + std::to_string(answer.trial_index) +
@@ -81,10 +78,10 @@ MatchRecord match_of(const KnownStimuli& known, const LogContents& log, const An
           .object = answer.object,
           .condition = answer.condition,
           .start_level = answer.level,
-          .level = known.stimuli[static_cast<std::size_t>(stopped)].level,
+          .level = known.stimuli[stopped].level,
           .began_clear = begins_clear(known.ladders, start),
           .at_end = !next_rung(known.ladders, stopped, 1) || !next_rung(known.ladders, stopped, -1),
-          .answer_s = 1e-9 * static_cast<double>(answer.choice_ns)};
+          .answer_s = 1e-9 * answer.choice_ns};
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include "analysis/log_analysis/analysis.h"
 #include "analysis/log_analysis/headline_rows.h"
-#include "analysis/report/tables/people_tables.h"
+#include "analysis/report/tables/all_tables.h"
 #include "study/log/log.h"
 #include "study/running/simulation.h"
 #include "tests/study/temporary_set.h"

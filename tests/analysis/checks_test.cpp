@@ -1,5 +1,5 @@
 // What stands beside the thresholds: how it comes into the analysis, its tables and the report.
-#include "analysis/report/tables/checks_tables.h"
+#include "analysis/report/tables/all_tables.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/report/json/thresholds_json.h"
-#include "analysis/report/page/checks_section.h"
 #include "analysis/report/page/report_html.h"
+#include "analysis/report/page/sections.h"
 #include "analysis/report/text/checks_text.h"
 #include "analysis/report/text/threshold_text.h"
 #include "support/text/error.h"

@@ -12,7 +12,6 @@
 #include "analysis/report/page/methods_text.h"
 #include "analysis/report/tables/all_tables.h"
 #include "analysis/report/tables/dictionary.h"
-#include "analysis/report/tables/noticeability_tables.h"
 #include "tests/analysis/condition_people.h"
 
 namespace seamline::analysis {

@@ -6,8 +6,8 @@
 
 #include "analysis/log_analysis/report_numbers.h"
 #include "analysis/report/page/methods_text.h"
-#include "analysis/report/page/people_section.h"
-#include "analysis/report/tables/people_tables.h"
+#include "analysis/report/page/sections.h"
+#include "analysis/report/tables/all_tables.h"
 #include "stimuli/definition/form_definition.h"
 #include "tests/analysis/report_people.h"
 #include "tests/complaint.h"

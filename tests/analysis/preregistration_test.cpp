@@ -6,7 +6,7 @@
 
 #include "analysis/log_analysis/analysis.h"
 #include "analysis/preregistration/deviations.h"
-#include "analysis/report/page/preregistration_section.h"
+#include "analysis/report/page/sections.h"
 #include "analysis/report/tables/preregistration_table.h"
 #include "analysis/thresholds/threshold_rules.h"
 #include "support/files/assets.h"

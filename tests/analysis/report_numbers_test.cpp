@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "analysis/report/tables/people_tables.h"
+#include "analysis/report/tables/all_tables.h"
 #include "tests/analysis/report_people.h"
 
 namespace seamline::analysis {

@@ -7,7 +7,7 @@
 
 #include "analysis/report/json/thresholds_json.h"
 #include "analysis/report/page/methods_text.h"
-#include "analysis/report/page/thresholds_section.h"
+#include "analysis/report/page/sections.h"
 #include "analysis/report/tables/all_tables.h"
 #include "analysis/report/tables/dictionary.h"
 #include "analysis/report/text/scenes_text.h"

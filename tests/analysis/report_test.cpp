@@ -8,7 +8,7 @@
 #include "analysis/report/figures/figures.h"
 #include "analysis/report/json/thresholds_json.h"
 #include "analysis/report/page/report_html.h"
-#include "analysis/report/tables/noticeability_tables.h"
+#include "analysis/report/tables/all_tables.h"
 #include "analysis/report/text/threshold_text.h"
 #include "support/text/csv.h"
 #include "support/text/html.h"

@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "analysis/report/page/report_html.h"
-#include "analysis/report/page/samples_section.h"
+#include "analysis/report/page/sections.h"
 #include "tests/app/picture_set.h"
 
 namespace seamline::analysis {

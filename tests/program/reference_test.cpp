@@ -7,7 +7,7 @@
 #include <regex>
 #include <set>
 
-#include "commands/manual/reference_page.h"
+#include "commands/manual/command_line.h"
 #include "commands/program.h"
 #include "pages.h"
 #include "stimuli/definition/artifact.h"

@@ -7,12 +7,6 @@
 #include <cmath>
 
 #include "analysis/report/figures/figure_parts.h"
-#include "analysis/report/figures/guessing_figure.h"
-#include "analysis/report/figures/joint_figures.h"
-#include "analysis/report/figures/order_figure.h"
-#include "analysis/report/figures/people_figure.h"
-#include "analysis/report/figures/psychometric_figure.h"
-#include "analysis/report/figures/times_figure.h"
 #include "analysis/report/text/threshold_text.h"
 #include "analysis/scores/level_words.h"
 #include "support/files/atomic_file.h"

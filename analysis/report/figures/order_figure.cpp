@@ -1,4 +1,4 @@
-#include "analysis/report/figures/order_figure.h"
+#include "analysis/report/figures/figures.h"
 
 #include <fmt/format.h>
 

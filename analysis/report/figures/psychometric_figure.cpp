@@ -1,4 +1,4 @@
-#include "analysis/report/figures/psychometric_figure.h"
+#include "analysis/report/figures/figures.h"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ std::string block_of_levels(const std::string& name, const ChoiceCurve& curve, c
                             std::int64_t most_trials) {
   std::string block = fmt::format("${} << EOD\n", name);
   for (const LevelResidual& level : curve.goodness.residuals) {
-    const auto n = static_cast<double>(level.counts.trials);
+    const double n = level.counts.trials;
     block += fmt::format(
         "{:.6g} {:.6g} {:.4g} {:.6g}\n", place_of(drawn, level.counts.level), level.counts.share(),
         std::max(0.25, 0.8 * std::sqrt(n / static_cast<double>(most_trials))), level.deviance_residual);

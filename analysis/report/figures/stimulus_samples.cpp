@@ -157,7 +157,7 @@ StimulusSamples sample_stimuli(const Analysis& analysis, const std::filesystem::
         shown.push_back(std::move(stimuli));
     std::vector<SampleRow> rows(shown.size());
     run_parallel(static_cast<int>(rows.size()), analysis.resampling.threads, [&](int index) {
-      const auto i = static_cast<std::size_t>(index);
+      const std::size_t i = index;
       rows[i] = sample_row(set, manifest, shown[i], analysis.data.axis, scratch);
     });
     return rows;

@@ -1,4 +1,4 @@
-#include "analysis/report/json/checks_json.h"
+#include "analysis/report/json/thresholds_parts.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "analysis/report/json/origins_json.h"
+#include "analysis/report/json/thresholds_parts.h"
 
 #include "analysis/report/json/json_values.h"
 

@@ -1,11 +1,10 @@
-#include "analysis/report/page/comparisons_section.h"
+#include "analysis/report/page/sections.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "analysis/report/page/html_parts.h"
-#include "analysis/report/page/joint_section.h"
 #include "analysis/scores/level_words.h"
 #include "support/text/html.h"
 

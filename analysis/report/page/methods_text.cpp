@@ -8,7 +8,7 @@
 #include "analysis/log_analysis/participant_facts.h"
 #include "analysis/log_analysis/task_words.h"
 #include "analysis/report/figures/figure_parts.h"
-#include "analysis/report/page/thresholds_section.h"
+#include "analysis/report/page/sections.h"
 #include "analysis/report/text/adaptive_methods.h"
 #include "analysis/report/text/joint_text.h"
 #include "analysis/report/text/methods_references.h"

@@ -1,11 +1,10 @@
-#include "analysis/report/page/order_section.h"
+#include "analysis/report/page/sections.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "analysis/report/page/html_parts.h"
-#include "analysis/report/page/joint_section.h"
 #include "analysis/report/text/threshold_text.h"
 
 namespace seamline::analysis {

@@ -1,4 +1,4 @@
-#include "analysis/report/page/origins_section.h"
+#include "analysis/report/page/sections.h"
 
 #include "analysis/report/page/html_parts.h"
 #include "analysis/report/text/origins_text.h"

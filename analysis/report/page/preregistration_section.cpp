@@ -1,4 +1,4 @@
-#include "analysis/report/page/preregistration_section.h"
+#include "analysis/report/page/sections.h"
 
 #include "analysis/report/page/html_parts.h"
 

@@ -1,4 +1,4 @@
-#include "analysis/report/page/samples_section.h"
+#include "analysis/report/page/sections.h"
 
 #include <fmt/format.h>
 

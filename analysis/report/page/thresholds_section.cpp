@@ -1,4 +1,4 @@
-#include "analysis/report/page/thresholds_section.h"
+#include "analysis/report/page/sections.h"
 
 #include <fmt/format.h>
 

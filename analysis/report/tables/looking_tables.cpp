@@ -29,7 +29,7 @@ PeopleMean mean_over_people(const ValuesOfPeople& values) {
   const double mean = mean_of_values(means);
   if (means.size() < 2)
     return {mean, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
-  const auto n = static_cast<double>(means.size());
+  const double n = means.size();
   double squares = 0;
   for (const double one : means) squares += (one - mean) * (one - mean);
   const double half = student_quantile(n - 1, 0.975) * std::sqrt(squares / (n - 1) / n);

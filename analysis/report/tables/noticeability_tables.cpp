@@ -1,4 +1,4 @@
-#include "analysis/report/tables/noticeability_tables.h"
+#include "analysis/report/tables/all_tables.h"
 
 #include <fmt/format.h>
 
@@ -167,8 +167,7 @@ CsvTable answers_table(const Analysis& analysis) {
                           std::string(word(answer.artifact)), answer.object, whole(answer.object_index),
                           level_value(analysis.data.axis, answer.level), whole(answer.chosen_index),
                           whole(answer.rating), whole(answer.correct() ? 1 : 0),
-                          whole(answer.noticeability()), static_cast<double>(answer.choice_ns) * 1e-9,
-                          static_cast<double>(answer.rating_ns) * 1e-9});
+                          whole(answer.noticeability()), answer.choice_ns * 1e-9, answer.rating_ns * 1e-9});
   }
   add_conditions(table, has_conditions(analysis.data), conditions);
   return table;

@@ -1,4 +1,4 @@
-#include "analysis/report/tables/order_tables.h"
+#include "analysis/report/tables/all_tables.h"
 
 #include <fmt/format.h>
 

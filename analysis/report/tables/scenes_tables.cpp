@@ -1,4 +1,4 @@
-#include "analysis/report/tables/scenes_tables.h"
+#include "analysis/report/tables/all_tables.h"
 
 #include "analysis/report/tables/table_columns.h"
 

@@ -17,7 +17,7 @@ namespace {
 template <class Use>
 void for_each_map(const RandomMaps& maps, const Use& use) {
   for (int i = 0; i < maps.count; ++i) {
-    Random random(maps.seed, static_cast<std::uint64_t>(i));
+    Random random(maps.seed, i);
     const int width_px = 32 + 2 * static_cast<int>(random.below(9));
     const double tolerance = std::pow(10, -1 - 4 * random.uniform());
     const DepthMap map = random_depth_map(width_px, maps.kind, random);
@@ -40,8 +40,8 @@ Finding try_bound(const RandomMaps& maps, const BoundRule& rule) {
     full += build_full_mesh(sphere, 1).triangles.size();
     worst = worse(worst, check_mesh(mesh, sphere).largest_error / tolerance);
   });
-  return {worst, fmt::format("{} maps, {:.0f} % of full density's triangles", maps.count,
-                             100.0 * static_cast<double>(triangles) / static_cast<double>(full))};
+  return {worst,
+          fmt::format("{} maps, {:.0f} % of full density's triangles", maps.count, 100.0 * triangles / full)};
 }
 
 Finding try_holes(const RandomMaps& maps, const BoundRule& rule) {

@@ -10,7 +10,7 @@ namespace seamline::stability {
 
 DepthMap make_depth_map(int width_px, const std::function<double(int column, int row)>& distance_m) {
   DepthMap map{.width_px = width_px, .height_px = width_px / 2, .distance_m = {}};
-  map.distance_m.reserve(static_cast<std::size_t>(width_px) * static_cast<std::size_t>(map.height_px));
+  map.distance_m.reserve(width_px * static_cast<std::size_t>(map.height_px));
   for (int row = 0; row < map.height_px; ++row)
     for (int column = 0; column < width_px; ++column)
       map.distance_m.push_back(static_cast<float>(distance_m(column, row)));
@@ -44,7 +44,7 @@ DepthMap turned_map(const DepthMap& map, int texels) {
 
 DepthMap random_depth_map(int width_px, const RandomMapKind& kind, Random& random) {
   const auto between = [&](double low, double high) { return low + (high - low) * random.uniform(); };
-  const auto below = [&](int n) { return static_cast<int>(random.below(static_cast<std::uint64_t>(n))); };
+  const auto below = [&](int n) { return static_cast<int>(random.below(n)); };
   DepthMap map = random.uniform() < 0.5 ? room_map(width_px) : constant_map(width_px, 2);
   const double bump = random.uniform() < 0.5 ? 0 : std::pow(10, between(-5, -1)), waves = between(1, 8);
   for (int row = 0; row < map.height_px; ++row)

@@ -1,5 +1,3 @@
-#include "laboratory/stability/depth/depth_shape_cases.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -9,7 +7,9 @@
 
 #include "laboratory/stability/common/groups.h"
 #include "laboratory/stability/common/namespaces.h"
+#include "laboratory/stability/common/stability_case.h"
 #include "laboratory/stability/common/worst.h"
+#include "laboratory/stability/depth/depth_maps.h"
 #include "laboratory/stability/depth/mesh_check.h"
 #include "raytracer/tracing/geometry.h"
 #include "renderer/depth/adaptive_mesh.h"
@@ -56,9 +56,9 @@ NamedMesh named(const DepthMesh& mesh, int width, int height) {
   return out;
 }
 
-}  // namespace
-
-Finding try_constant_sphere(double radius_m, const MeshOptions& options, const MeshRule& rule) {
+/// A sphere of constant distance: largest relative error of the distances that rays find.
+Finding try_constant_sphere(double distance_m, const MeshOptions& options,
+                            const MeshRule& rule = build_depth_mesh) {
   constexpr int rays = 100;
   const DepthMesh mesh = rule(constant_map(256, radius_m), options);
   double error = 0;
@@ -71,6 +71,8 @@ Finding try_constant_sphere(double radius_m, const MeshOptions& options, const M
           fmt::format("{} triangles, largest error {:.2g} of {} rays", mesh.triangles.size(), error, rays)};
 }
 
+/// Blocks of 1 m and of 1e6 m side by side: the adaptive mesh's largest error over all rays of the dense
+/// sphere; NaN when a ray is lost.
 Finding try_jumps() {
   const DepthMap map =
       make_depth_map(64, [](int column, int row) { return (column / 8 + row / 8) % 2 == 0 ? 1.0 : 1e6; });
@@ -83,6 +85,8 @@ Finding try_jumps() {
                       check.largest_error, check.rays_without_hit)};
 }
 
+/// Rays at and around a pole of a room: largest relative error of the ceiling's (floor's) distance; NaN when
+/// one meets nothing.
 Finding try_pole(bool zenith) {
   const double side = zenith ? 1 : -1;
   double error = 0;
@@ -100,6 +104,8 @@ Finding try_pole(bool zenith) {
   return {error, fmt::format("{} rays, largest error {:.2g}", rays, error)};
 }
 
+/// The room's panorama turned by every number of texels: the full mesh must be the same one, turned. Largest
+/// relative difference of its vertices; NaN when its triangles differ.
 Finding try_seam_full() {
   constexpr int width = 64, dense = 128;
   const DepthMap map = room_map(width);
@@ -118,6 +124,8 @@ Finding try_seam_full() {
           fmt::format("63 turns, {} vertices, largest difference {:.2g}", usual.position_m.size(), error)};
 }
 
+/// The same of the adaptive mesh: its largest error against the panorama that was not turned; NaN when a ray
+/// is lost.
 Finding try_seam_adaptive(double tolerance) {
   constexpr int width = 32, dense = 64;
   const DepthMap map = room_map(width);
@@ -134,6 +142,8 @@ Finding try_seam_adaptive(double tolerance) {
   return {lost > 0 ? nan : error, fmt::format("31 turns, {} rays lost, largest error {:.3g}", lost, error)};
 }
 
+/// Jumps from 1 to 10 m and a hole: rays from the centre by the table of directions against Embree's search.
+/// Counts rays that disagree.
 Finding try_direction_table() {
   const DepthMap map = make_depth_map(128, [](int column, int row) {
     if (column > 90 && row > 40) return infinity;
@@ -156,6 +166,8 @@ Finding try_direction_table() {
   }
   return {static_cast<double>(disagree), fmt::format("{} of {} rays disagree", disagree, rays.size())};
 }
+
+}  // namespace
 
 StabilityCases depth_shape_cases() {
   const auto sphere = [](const std::string& name, const MeshOptions& options, double tolerance,

@@ -30,7 +30,7 @@ double largest_error(const DepthMesh& mesh, int rays,
                  across = std::sqrt(1 - y * y);
     const Eigen::Vector3d d(across * std::cos(azimuth), y, across * std::sin(azimuth));
     const auto hit = geometry.nearest({Eigen::Vector3f::Zero(), d.cast<float>()});
-    error = worse(error, hit ? relative_error(static_cast<double>(hit->distance_m), expected_m(d)) : nan);
+    error = worse(error, hit ? relative_error(hit->distance_m, expected_m(d)) : nan);
   }
   return error;
 }

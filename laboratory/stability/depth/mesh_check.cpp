@@ -56,7 +56,7 @@ MeshCheck check_mesh(const DepthMesh& mesh, const DenseSphere& sphere) {
   for (int row = 0; row < sphere.height; ++row)
     for (int column = 0; column < sphere.width; ++column) {
       const Eigen::Vector3d d = sphere.direction(row, column);
-      const double r = static_cast<double>(sphere.at(row, column));
+      const double r = sphere.at(row, column);
       bool hit = false;
       for (const SeenTriangle& triangle : seen) {
         double inside = triangle.inward[0].dot(d);

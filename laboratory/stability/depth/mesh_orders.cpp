@@ -56,11 +56,10 @@ OrderSeries mesh_triangles_order() {
             std::vector<std::pair<double, double>> points;
             const DepthMap map = cave_map();
             const DenseSphere sphere = make_dense_sphere(map, 0, 1, cave_width_px);
-            const auto full = static_cast<double>(build_full_mesh(sphere, 1).triangles.size());
+            const double full = build_full_mesh(sphere, 1).triangles.size();
             for (double tolerance = 0.05; tolerance > 5e-4; tolerance /= 2)
-              points.emplace_back(
-                  tolerance,
-                  static_cast<double>(build_adaptive_mesh(sphere, tolerance, 1).triangles.size()) / full);
+              points.emplace_back(tolerance,
+                                  build_adaptive_mesh(sphere, tolerance, 1).triangles.size() / full);
             return points;
           }};
 }

@@ -1,5 +1,3 @@
-#include "laboratory/stability/depth/triangle_cases.h"
-
 #include <fmt/core.h>
 
 #include <limits>
@@ -8,6 +6,7 @@
 #include "laboratory/stability/common/groups.h"
 #include "laboratory/stability/common/shapes.h"
 #include "laboratory/stability/common/small_render.h"
+#include "laboratory/stability/common/stability_case.h"
 #include "laboratory/stability/common/worst.h"
 #include "stimuli/pictures/difference.h"
 #include "support/arithmetic/random.h"
@@ -35,8 +34,8 @@ int changed_pixels(const Image& a, const Image& b) {
   return changed;
 }
 
-}  // namespace
-
+/// A scene's picture must not change when triangles are added that have no area: three equal corners, three
+/// corners in a line. Counts pixels that do.
 Finding try_zero_area(int threads) {
   SmallScene scene = room();
   const SmallPicture usual = render_room(scene, threads);
@@ -60,6 +59,8 @@ Finding try_zero_area(int threads) {
   return {static_cast<double>(changed), fmt::format("{} of {} pixels changed", changed, 2 * 64 * 36)};
 }
 
+/// The same for 2,000 needles, 10 m long and `width_m` wide, before everything. The error is the difference
+/// over the picture's noise; a pixel that is not a number fails.
 Finding try_needles(float width_m, int threads) {
   SmallScene scene = room();
   const SmallPicture usual = render_room(scene, threads);
@@ -82,6 +83,7 @@ Finding try_needles(float width_m, int threads) {
           fmt::format("differs by {:.2g} where the noise is {:.2g} (display units)", difference, noise)};
 }
 
+/// Shading normals that are zero or no numbers: the picture must be that with geometric normals.
 Finding try_broken_normals(int threads) {
   SmallScene scene = room();
   const SmallPicture usual = render_room(scene, threads);
@@ -95,23 +97,26 @@ Finding try_broken_normals(int threads) {
   return {static_cast<double>(changed), fmt::format("{} pixels changed", changed)};
 }
 
+/// So many triangles in one place: rays must hit them where they are. Throws what the product throws.
 Finding try_coincident(int triangles) {
   auto part = std::make_shared<SurfaceMesh>();
   part->positions_m = {{-9, -9, -5}, {9, -9, -5}, {0, 9, -5}};
-  part->triangles.assign(static_cast<std::size_t>(triangles), Triangle{0, 1, 2});
+  part->triangles.assign(triangles, Triangle{0, 1, 2});
   try {
     const Geometry geometry(std::vector<PartPointer>{part});
     double error = 0;
     for (int i = 0; i < 20; ++i) {
       const Eigen::Vector3f direction = Eigen::Vector3f(0.01F * static_cast<float>(i), 0, -1).normalized();
       const auto hit = geometry.nearest({Eigen::Vector3f::Zero(), direction});
-      error = worse(error, hit ? relative_error(static_cast<double>(hit->position_m.z()), -5) : 1);
+      error = worse(error, hit ? relative_error(hit->position_m.z(), -5) : 1);
     }
     return {error, "handled: 20 rays hit them where they are"};
   } catch (const std::bad_alloc&) {
     return {0, "refused: more than there is memory for"};
   }
 }
+
+}  // namespace
 
 StabilityCases triangle_cases() {
   return {

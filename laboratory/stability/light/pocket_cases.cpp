@@ -60,8 +60,8 @@ Finding try_face_behind_sheet(bool from_mesh) {
   const SurfacePoint face = object.nearest(ray).value(), mesh = sheet.nearest(ray).value();
   const RealQuestion question{&sheet, from_mesh ? &mesh : &face};
   const double expected = 0.5 * 3 * static_cast<double>(to_sun.z()) / std::numbers::pi;
-  const double found = static_cast<double>(
-      leaving_object(ObjectQuestions::all_of(question), object, face, light, Sampler(1, 0, 0, 0)).total()[1]);
+  const double found =
+      leaving_object(ObjectQuestions::all_of(question), object, face, light, Sampler(1, 0, 0, 0)).total()[1];
   return {relative_error(found, expected), fmt::format("radiance {:.7g} for {:.7g}", found, expected)};
 }
 

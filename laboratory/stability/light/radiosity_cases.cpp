@@ -1,22 +1,34 @@
-#include "laboratory/stability/light/radiosity_cases.h"
-
 #include <fmt/core.h>
 
 #include "laboratory/stability/common/groups.h"
 #include "laboratory/stability/common/namespaces.h"
 #include "laboratory/stability/common/shapes.h"
+#include "laboratory/stability/common/stability_case.h"
 #include "laboratory/stability/common/worst.h"
 #include "renderer/transport/path_batch.h"
 
 namespace seamline::stability {
 namespace {
 
+/// A closed sphere that emits 1 everywhere.
+struct ClosedSphere {
+  float albedo = 0.5F;
+  int bounces = 4;
+  bool object_inside = false;  ///< a ball of the same matter hangs in it, as the virtual object
+};
+
+/// Every path must bring the sum of albedo^k for k = 0 to bounces + 1, through `radiance_with_and_without`
+/// (path estimator), in both worlds. The error is the largest relative one of any path.
+Finding try_closed_sphere(const ClosedSphere& sphere);
+/// The same through `PathBatch` (fast estimator).
+Finding try_closed_sphere_fast(const ClosedSphere& sphere);
+
 constexpr int paths = 500;
 
 /// Radiosity of the sphere after a number of bounces; without end it would be 1 / (1 - albedo).
 double expected_radiance(const ClosedSphere& sphere) {
   double sum = 0, power = 1;
-  for (int k = 0; k <= sphere.bounces + 1; ++k, power *= static_cast<double>(sphere.albedo)) sum += power;
+  for (int k = 0; k <= sphere.bounces + 1; ++k, power *= sphere.albedo) sum += power;
   return sum;
 }
 
@@ -64,8 +76,6 @@ StabilityCase sphere_case(const std::string& name, const ClosedSphere& sphere, b
           }};
 }
 
-}  // namespace
-
 Finding try_closed_sphere(const ClosedSphere& sphere) {
   const Furnace furnace = furnace_of(sphere);
   double error = 0, last = 0;
@@ -75,7 +85,7 @@ Finding try_closed_sphere(const ClosedSphere& sphere) {
         radiance_with_and_without(furnace.wall, sphere.object_inside ? &furnace.object : nullptr,
                                   first_hit(furnace, sampler), furnace.light, sampler);
     for (const Split& split : {pair.without_object, pair.with_object}) {
-      last = static_cast<double>(split.total()[1]);
+      last = split.total()[1];
       error = worse(error, relative_error(last, expected_radiance(sphere)));
     }
   }
@@ -93,12 +103,14 @@ Finding try_closed_sphere_fast(const ClosedSphere& sphere) {
     batch.add({worlds.all(), first_hit(furnace, sampler), sampler});
     const PathLight found = batch.trace().front();
     for (const int world : {0, 1}) {
-      last = static_cast<double>(found.light[static_cast<std::size_t>(world)].total()[1]);
+      last = found.light[world].total()[1];
       error = worse(error, relative_error(last, expected_radiance(sphere)));
     }
   }
   return finding(sphere, error, last);
 }
+
+}  // namespace
 
 StabilityCases radiosity_cases() {
   return {

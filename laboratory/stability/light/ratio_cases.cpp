@@ -19,7 +19,7 @@ StimulusSums bright_layers(float light = 2.0F) {
     sums.guides.push_back({Eigen::Vector3f(static_cast<float>(i % 3 == 0), static_cast<float>(i % 3 == 1),
                                            static_cast<float>(i % 3 == 2)),
                            1.0F + 10.0F * static_cast<float>(i)});
-    StimulusPixel& pixel = sums.halves[0][static_cast<std::size_t>(i)];
+    StimulusPixel& pixel = sums.halves[0][i];
     pixel.uncovered_surfaces = 2;
     pixel.background = pixel.without_object = pixel.with_object = Rgb::Constant(light);
   }
@@ -62,7 +62,7 @@ Finding try_denominator(float denominator, const ComposeRule& rule) {
 Finding try_brightened(float brighter, const ComposeRule& rule) {
   StimulusSums sums = bright_layers();
   sums.halves[0][5].with_object = Rgb::Constant(2.0F * brighter);
-  const double ratio = static_cast<double>(rule(sums).ratio.at(1, 1));
+  const double ratio = rule(sums).ratio.at(1, 1);
   return {std::abs(ratio - 4), fmt::format("ratio {:g}", ratio)};
 }
 

@@ -1,5 +1,3 @@
-#include "laboratory/stability/light/strong_light_cases.h"
-
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
@@ -9,10 +7,12 @@
 
 #include "laboratory/stability/common/groups.h"
 #include "laboratory/stability/common/shapes.h"
+#include "laboratory/stability/common/stability_case.h"
 #include "raytracer/error/error_estimate.h"
 #include "raytracer/scene/scene_file.h"
 #include "raytracer/scene/truth_scene.h"
 #include "renderer/depth/local_scene.h"
+#include "renderer/estimators/estimator.h"
 #include "renderer/picture/composite.h"
 #include "stimuli/pictures/difference.h"
 #include "support/files/atomic_file.h"
@@ -122,8 +122,7 @@ Finding try_wrong_options() {
   return count_accepted(attempts, "options");
 }
 
-}  // namespace
-
+/// Files with lights and emissions that no sum can hold, or that are negative: how many are read.
 Finding try_impossible_lights() {
   std::vector<LitFile> files;
   for (const char* light :
@@ -154,6 +153,8 @@ Finding try_impossible_lights() {
   return count_accepted(attempts, "files");
 }
 
+/// Every number of a scene at the largest that is accepted: pixels that are no number, of pictures and their
+/// estimated errors.
 Finding try_strongest_light(Estimator estimator, int threads) {
   const Matter white{.albedo = 1, .emission = strongest};
   TruthScene scene = truth_scene_of(
@@ -186,6 +187,8 @@ Finding try_strongest_light(Estimator estimator, int threads) {
   }
   return {static_cast<double>(wrong), fmt::format("{} of {} values and errors are no number", wrong, values)};
 }
+
+}  // namespace
 
 StabilityCases strong_light_cases() {
   StabilityCases cases = {

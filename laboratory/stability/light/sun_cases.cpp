@@ -1,5 +1,3 @@
-#include "laboratory/stability/light/sun_cases.h"
-
 #include <fmt/core.h>
 
 #include <Eigen/Geometry>
@@ -7,6 +5,8 @@
 
 #include "laboratory/stability/common/groups.h"
 #include "laboratory/stability/common/shapes.h"
+#include "laboratory/stability/common/small_render.h"
+#include "laboratory/stability/common/stability_case.h"
 #include "laboratory/stability/common/worst.h"
 #include "support/arithmetic/random.h"
 #include "support/text/numbers.h"
@@ -21,8 +21,8 @@ SmallScene box_on_floor(const Light& light) {
           .light = light};
 }
 
-}  // namespace
-
+/// A plane under a sun `irradiance` times as strong as the sky's radiance of 1: the light of a sunlit point
+/// against the sum of both, or the light of a point behind a wall against the sky's alone.
 Finding try_strong_sun(float irradiance_w_m2, bool in_shadow) {
   const Eigen::Vector3f to_sun = Eigen::Vector3f(1, 1, 0).normalized();
   const Light light = sun_and_sky(to_sun, irradiance_w_m2, 1.0F, 0);
@@ -31,7 +31,7 @@ Finding try_strong_sun(float irradiance_w_m2, bool in_shadow) {
   const Geometry scene(parts);
   const SurfacePoint point =
       scene.nearest({Eigen::Vector3f::Zero(), Eigen::Vector3f(0, -1, -1).normalized()}).value();
-  const double lit = 0.5 * static_cast<double>(irradiance_w_m2) * std::sqrt(0.5) / std::numbers::pi;
+  const double lit = 0.5 * irradiance_w_m2 * std::sqrt(0.5) / std::numbers::pi;
   double error = 0, last = 0;
   for (int i = 0; i < 400; ++i) {
     last = static_cast<double>(radiance_with_and_without(scene, nullptr, point, light, Sampler(1, i, 0, 0))
@@ -43,7 +43,9 @@ Finding try_strong_sun(float irradiance_w_m2, bool in_shadow) {
   return {error, fmt::format("radiance {:.7g}", last)};
 }
 
-Finding try_black_shadow(int threads, const ComposeRule& rule) {
+/// A sun without a sky: the object's shadow must be black in the reference and in a composite through a
+/// coarse depth map, and every pixel a number from 0 to what the photograph can become.
+Finding try_black_shadow(int threads, const ComposeRule& rule = compose_as_product) {
   const TruthScene scene = truth_scene_of(box_on_floor(sun_and_sky({0.6F, 1, 0.2F}, 5, 0, 0)));
   int wrong = 0, black = 0;
   for (const Artifact artifact : {Artifact::none, Artifact::receiver, Artifact::overlap, Artifact::all}) {
@@ -62,13 +64,15 @@ Finding try_black_shadow(int threads, const ComposeRule& rule) {
   return {static_cast<double>(wrong), fmt::format("{} black values, {} wrong pixels", black, wrong)};
 }
 
+/// Artifact none under a sun 1e8 times stronger than the sky, in a scene with bounces: the composite must be
+/// the reference.
 Finding try_strong_sun_composite(int threads) {
   const TruthScene scene = truth_scene_of(box_on_floor(sun_and_sky({0.6F, 1, 0.2F}, 1e8F, 1, 2)));
   const SmallPicture picture = render_small(scene, {.artifact = Artifact::none, .threads = threads});
   double error = 0;
   for (std::size_t i = 0; i < picture.reference.values.size(); ++i) {
-    const double wanted = static_cast<double>(picture.reference.values[i]);
-    const double found = static_cast<double>(picture.composite.picture.values[i]);
+    const double wanted = picture.reference.values[i];
+    const double found = picture.composite.picture.values[i];
     error =
         worse(error, std::abs(found - wanted) /
                          std::max(1.0, std::max(wanted, static_cast<double>(picture.background.values[i]))));
@@ -76,6 +80,8 @@ Finding try_strong_sun_composite(int threads) {
   return {error, fmt::format("{} values", picture.reference.values.size())};
 }
 
+/// A sun `elevation_deg` above a plane in `cells` x cells squares, the plane itself turned by `turn_deg`:
+/// light against albedo E sin(elevation) / pi at many points.
 Finding try_grazing_sun(double elevation_deg, double turn_deg, int cells) {
   const double elevation = elevation_deg * std::numbers::pi / 180;
   const Eigen::Matrix3d turn =
@@ -108,6 +114,8 @@ Finding try_grazing_sun(double elevation_deg, double turn_deg, int cells) {
   }
   return {error, fmt::format("{} of {} points in false shadow, largest error {:.2g}", dark, points, error)};
 }
+
+}  // namespace
 
 StabilityCases sun_cases() {
   const std::string two_products = "a product and a sum in float: 4 roundings of 6e-8";

@@ -70,7 +70,7 @@ Finding try_many_trials(const LearnRule& rule) {
          random.uniform() < probability_right(track, stimulus, truth) ? 1 : 0);
     error = worse(error, std::abs(total(posterior) - 1));
   }
-  const double mass = posterior.mass[static_cast<std::size_t>(truth)];
+  const double mass = posterior.mass[truth];
   const double off = std::abs(moments(track.grid, posterior, Parameter::threshold).mean -
                               track.grid.value(Parameter::threshold, truth));
   return {mass > 1e-3 && off < 0.1 ? error : nan,
@@ -141,7 +141,7 @@ Finding try_edge(double edge_share) {
     Random random(21);
     for (int trial = 0; trial < 120; ++trial) {
       const int stimulus = best_stimulus(track, posterior);
-      const double z = (threshold_log2_px - std::log2(widths_px[static_cast<std::size_t>(stimulus)])) / 0.5;
+      const double z = (threshold_log2_px - std::log2(widths_px[stimulus])) / 0.5;
       const double right = 1.0 / 3 + (2.0 / 3 - 0.02) / (1 + std::exp(-z));
       learn(posterior, track.tables, stimulus, random.uniform() < right ? 1 : 0);
     }

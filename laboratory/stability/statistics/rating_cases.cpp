@@ -2,8 +2,11 @@
 
 #include <fmt/core.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 
+#include "analysis/ordinal/likelihood/ordinal_data.h"
 #include "analysis/psychometric/intervals/pooled_fit.h"
 #include "analysis/scores/opinion_score.h"
 #include "analysis/screening/correlation_screening.h"
@@ -13,12 +16,37 @@
 #include "laboratory/stability/common/namespaces.h"
 #include "laboratory/stability/common/worst.h"
 #include "laboratory/stability/statistics/curve_fit_cases.h"
-#include "laboratory/stability/statistics/ordinal_people.h"
 #include "laboratory/stability/statistics/study_widths.h"
+#include "support/arithmetic/random.h"
 #include "support/text/numbers.h"
 
 namespace seamline::stability {
 namespace {
+
+/// People who score three objects at seven widths by a cumulative logit model with a slope of -1.1 an octave;
+/// predictors "octaves" (-3 to 3), "object2", "object3".
+OrdinalData simulated_ordinal_scores(int people, std::uint64_t seed) {
+  constexpr std::array<double, 4> cuts = {-2, -0.5, 0.7, 2};
+  OrdinalData data;
+  data.predictors.resize(people * 21, 3);
+  data.predictor_names = {"octaves", "object2", "object3"};
+  int row = 0;
+  for (int p = 0; p < people; ++p) {
+    Random random(seed, p);
+    const double level = 0.8 * random.normal();
+    for (int object = 1; object <= 3; ++object)
+      for (int octaves = -3; octaves <= 3; ++octaves, ++row) {
+        data.predictors.row(row) << octaves, object == 2, object == 3;
+        const double eta = level - 1.1 * octaves + (object == 2 ? 0.3 : object == 3 ? -0.3 : 0);
+        const double share = random.uniform();
+        int score = 0;
+        for (const double cut : cuts) score += share >= 1 / (1 + std::exp(eta - cut)) ? 1 : 0;
+        data.score.push_back(score);
+        data.participant.push_back(p);
+      }
+  }
+  return data;
+}
 
 /// Scores as given, with the means that analysis makes of them.
 ArtifactScores scores_of(const Eigen::MatrixXd& noticeability) {
@@ -30,7 +58,7 @@ ArtifactScores scores_of(const Eigen::MatrixXd& noticeability) {
   for (Eigen::Index w = 0; w < noticeability.cols(); ++w) {
     const Eigen::VectorXd column = noticeability.col(w);
     scores.cells.push_back(mean_over_participants({column.begin(), column.end()}));
-    scores.cells.back().level = widths_px[static_cast<std::size_t>(w)];
+    scores.cells.back().level = widths_px[w];
   }
   return scores;
 }
@@ -44,7 +72,7 @@ bool is_open(const LevelInterval& interval) {
 ArtifactScores simulated_scores(int people, std::uint64_t seed) {
   Eigen::MatrixXd noticeability(people, static_cast<Eigen::Index>(widths_px.size()));
   for (int p = 0; p < people; ++p) {
-    Random random(seed, static_cast<std::uint64_t>(p));
+    Random random(seed, p);
     const Observer observer = make_observer(ObserverKind::threshold, {}, random);
     for (std::size_t w = 0; w < widths_px.size(); ++w) {
       double sum = 0;

@@ -13,9 +13,9 @@ namespace {
 
 double standard_deviation(const std::vector<double>& values) {
   double mean = 0, squares = 0;
-  for (const double value : values) mean += value / static_cast<double>(values.size());
+  for (const double value : values) mean += value / values.size();
   for (const double value : values) squares += (value - mean) * (value - mean);
-  return std::sqrt(squares / static_cast<double>(values.size() - 1));
+  return std::sqrt(squares / (values.size() - 1));
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ OrderSeries fitted_threshold_order() {
         for (int answers = 40; answers <= 2560; answers *= 4) {
           std::vector<double> thresholds;
           for (std::uint64_t set = 0; set < 100; ++set) {
-            Random random(static_cast<std::uint64_t>(answers), set);
+            Random random(answers, set);
             std::vector<LevelCounts> counts = counts_at_widths(answers, [](double) { return 0.0; });
             for (LevelCounts& level : counts)
               level.correct =
