@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "stimuli/set/manifest_pictures.h"
+#include "support/arithmetic/grid_index.h"
 #include "support/files/image.h"
 
 namespace seamline::renderer {
@@ -32,10 +33,7 @@ struct PixelBox {
 int difference_at(const ByteImage& a, const ByteImage& b, int x, int y) {
   int largest = 0;
   for (int c = 0; c < 3; ++c) {
-    const std::size_t i =
-        (static_cast<std::size_t>(y) * static_cast<std::size_t>(a.width_px) + static_cast<std::size_t>(x)) *
-            3 +
-        static_cast<std::size_t>(c);
+    const std::size_t i = grid_index(y, x, a.width_px) * 3 + static_cast<std::size_t>(c);
     largest = std::max(largest, std::abs(int{a.values[i]} - int{b.values[i]}));
   }
   return largest;
@@ -106,14 +104,8 @@ void place(const ByteImage& from, const PixelBox& window, ByteImage& sheet, int 
         int sum = 0;
         for (int v = y0; v < y1; ++v)
           for (int u = x0; u < x1; ++u)
-            sum += from.values[(static_cast<std::size_t>(v) * static_cast<std::size_t>(from.width_px) +
-                                static_cast<std::size_t>(u)) *
-                                   3 +
-                               static_cast<std::size_t>(c)];
-        const std::size_t i = (static_cast<std::size_t>(top + y) * static_cast<std::size_t>(sheet.width_px) +
-                               static_cast<std::size_t>(left + x)) *
-                                  3 +
-                              static_cast<std::size_t>(c);
+            sum += from.values[grid_index(v, u, from.width_px) * 3 + static_cast<std::size_t>(c)];
+        const std::size_t i = grid_index(top + y, left + x, sheet.width_px) * 3 + static_cast<std::size_t>(c);
         sheet.values[i] = static_cast<std::uint8_t>(sum / ((x1 - x0) * (y1 - y0)));
       }
 }

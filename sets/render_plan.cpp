@@ -17,7 +17,7 @@ constexpr const char* noise_only = "within the estimated errors (no bias)";
 
 std::string in_words(int number) {
   constexpr std::array<const char*, 5> words = {"none", "one", "two", "three", "four"};
-  const auto n = static_cast<std::size_t>(number);
+  const std::size_t n = number;
   return n < words.size() ? words[n] : std::to_string(number);
 }
 
@@ -202,7 +202,7 @@ class ScenePlanner {
 /// By all stimuli of the truth, as everything else that its estimator decides.
 double most_mesh_albedo(const std::vector<Stimulus>& of_truth) {
   for (const Stimulus& stimulus : of_truth)
-    if (stimulus.depth.albedo == MeshAlbedo::photograph) return static_cast<double>(most_photographed_albedo);
+    if (stimulus.depth.albedo == MeshAlbedo::photograph) return most_photographed_albedo;
   return 0;
 }
 

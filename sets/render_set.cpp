@@ -222,8 +222,7 @@ class SetRenderer {
         by_mesh(work_, study_, scene.definition.truth, object_index);
     if (meshes.empty()) return;
     stereo_.forget();
-    const std::string what = scene.definition.truth + " " +
-                             scene.definition.objects[static_cast<std::size_t>(object_index - 1)].name;
+    const std::string what = scene.definition.truth + " " + scene.definition.objects[object_index - 1].name;
     if (request_.part == JobPart::stimuli && estimator.truth_pieces() > 1)
       take_truth(scene, object_index, estimator);
     const Stopwatch watch;

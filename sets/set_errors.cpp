@@ -243,7 +243,7 @@ CsvTable errors_table(const SetErrors& errors) {
   for (const StimulusErrorRow& row : errors.rows) {
     std::vector<CsvValue> cells = {row.id,
                                    cell(row.seconds),
-                                   static_cast<double>(row.rays) * 1e-6,
+                                   row.rays * 1e-6,
                                    std::int64_t{row.spp},
                                    cell(row.estimated),
                                    cell(row.estimated_worst_tile),

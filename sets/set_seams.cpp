@@ -16,7 +16,7 @@ namespace {
 
 std::vector<SeamMeasure> measure_with_progress(const std::filesystem::path& set_folder,
                                                const Manifest& manifest) {
-  Progress progress("seams of " + manifest.study_name, static_cast<double>(manifest.stimuli.size()));
+  Progress progress("seams of " + manifest.study_name, manifest.stimuli.size());
   int told = 0;
   return measure_seams(set_folder, manifest, 0, [&](int finished) {
     if (finished == told) return;
@@ -46,7 +46,7 @@ std::vector<SeamCell> cells_of(const std::vector<SeamRow>& rows) {
     cell.condition = stimulus.condition;
     cell.level = stimulus.level;
     for (std::size_t i = 0; i < seam_steps.size(); ++i) {
-      cell.area_px[i] += static_cast<double>(row.seam.beyond[i].area_px);
+      cell.area_px[i] += row.seam.beyond[i].area_px;
       cell.widest_band_px[i] += row.seam.beyond[i].widest_band_px;
     }
     ++count;
@@ -126,7 +126,7 @@ CsvTable seams_table(const SetSeams& seams) {
                                     row.seam.largest_noise_steps};
     for (const SeamExtent& extent : row.seam.beyond) {
       values.emplace_back(extent.area_px);
-      values.emplace_back(seams.square_degrees(static_cast<double>(extent.area_px)));
+      values.emplace_back(seams.square_degrees(extent.area_px));
       values.emplace_back(extent.widest_band_px);
       values.emplace_back(seams.degrees(extent.widest_band_px));
     }

@@ -135,10 +135,8 @@ double total_weight(const SetWork& work, const WorkWeights& weights) {
     objects.insert(truth_of(stimulus) + "/" + stimulus.object);
     meshes.insert({truth_of(stimulus) + "/" + stimulus.object, stimulus.depth});
   }
-  return static_cast<double>(truths.size()) * weights.reference +
-         static_cast<double>(objects.size()) * weights.truth +
-         static_cast<double>(meshes.size()) * weights.mesh +
-         static_cast<double>(work.pending.size()) * weights.stimulus;
+  return truths.size() * weights.reference + objects.size() * weights.truth + meshes.size() * weights.mesh +
+         work.pending.size() * weights.stimulus;
 }
 
 RenderSettings render_settings(const StudyDefinition& study, const RenderRequest& request) {

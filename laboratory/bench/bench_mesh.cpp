@@ -52,7 +52,7 @@ PictureChange change(const ByteImage& a, const ByteImage& b) {
     int steps = 0;
     for (std::size_t k = 3 * i; k < 3 * i + 3; ++k)
       steps = std::max(steps, std::abs(int{a.values[k]} - int{b.values[k]}));
-    change.share_beyond_one += steps > 1 ? 1.0 / static_cast<double>(pixels) : 0.0;
+    change.share_beyond_one += steps > 1 ? 1.0 / pixels : 0.0;
     change.largest = std::max(change.largest, static_cast<double>(steps));
   }
   return change;
@@ -82,11 +82,11 @@ std::vector<BenchLine> measure_builds(const std::string& name, const Built& adap
     return lines;
   };
   std::vector<BenchLine> all;
-  for (const auto& lines : {beside("triangles", "millions", 1e-6 * static_cast<double>(adaptive.triangles),
-                                   1e-6 * static_cast<double>(full.triangles), {}),
-                            beside("mesh build", "s", adaptive.mesh_s, full.mesh_s, build_s),
-                            beside("Embree build and table", "s", adaptive.embree_s, full.embree_s, {}),
-                            beside("memory", "MB", adaptive.memory_mb, full.memory_mb, memory_mb)})
+  for (const auto& lines :
+       {beside("triangles", "millions", 1e-6 * adaptive.triangles, 1e-6 * full.triangles, {}),
+        beside("mesh build", "s", adaptive.mesh_s, full.mesh_s, build_s),
+        beside("Embree build and table", "s", adaptive.embree_s, full.embree_s, {}),
+        beside("memory", "MB", adaptive.memory_mb, full.memory_mb, memory_mb)})
     all.insert(all.end(), lines.begin(), lines.end());
   return all;
 }
@@ -101,7 +101,7 @@ BenchLine measure_rays(const std::string& name, const TruthScene& scene, const G
   const InterleavedTimes timings =
       time_interleaved(quick ? 3 : 5, Clock::processor,
                        std::array<std::function<void()>, 2>{[&] { trace(adaptive); }, [&] { trace(full); }});
-  const double million = 1e-6 * static_cast<double>(rays.bounce.size());
+  const double million = 1e-6 * rays.bounce.size();
   return {.what = fmt::format("{}, bounce rays", name),
           .unit = "Mrays/s",
           .found = million / timings.median_s(0),

@@ -120,8 +120,8 @@ struct GivenTruth {
     for (auto& half : truth.halves)
       for (std::size_t i = 0; i < half.size(); ++i)
         half[i].without_object = {given.radiance(i) * half[i].uncovered_surfaces, Rgb::Zero()};
-    no_error.tiles.resize(static_cast<std::size_t>(scene_sums.grid.count()));
-    no_error.blocks.resize(static_cast<std::size_t>(scene_sums.blocks().count()));
+    no_error.tiles.resize(scene_sums.grid.count());
+    no_error.blocks.resize(scene_sums.blocks().count());
   }
 
   TruthScene scene;

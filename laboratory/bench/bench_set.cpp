@@ -17,7 +17,7 @@ constexpr double asked_error = 0.0039;
 double peak_memory_mb() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) * 1024e-6;
+  return usage.ru_maxrss * 1024e-6;
 }
 
 }  // namespace

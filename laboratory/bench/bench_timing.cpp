@@ -9,7 +9,7 @@ namespace {
 double now_s(Clock clock) {
   timespec time{};
   clock_gettime(clock == Clock::processor ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_MONOTONIC, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  return time.tv_sec + 1e-9 * time.tv_nsec;
 }
 
 double upper_median(std::vector<double> values) {

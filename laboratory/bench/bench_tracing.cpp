@@ -33,7 +33,7 @@ LoadedScene load(const std::string& name) {
 }
 
 double million_a_second(std::size_t rays, double seconds) {
-  return static_cast<double>(rays) / seconds * 1e-6;
+  return rays / seconds * 1e-6;
 }
 
 /// Where answers go; allocated once.

@@ -4,9 +4,9 @@
 
 #include <array>
 #include <cmath>
-#include <ctime>
 #include <mutex>
 
+#include "laboratory/convergence/estimates/estimates.h"
 #include "laboratory/convergence/light_strategies.h"
 #include "raytracer/common/parallel.h"
 #include "support/running/progress.h"
@@ -38,7 +38,7 @@ class Sampling {
     const auto pixels =
         static_cast<std::size_t>(camera_.width_px) * static_cast<std::size_t>(camera_.height_px);
     Picture out{std::vector<Eigen::Array3d>(pixels, Eigen::Array3d::Zero()), std::vector<char>(pixels, 0)};
-    const double before = static_cast<double>(std::clock());
+    const double before = processor_seconds();
     std::mutex counting;
     parallel_for(camera_.height_px, threads_, [&](int y) {
       RayCounts counts;
@@ -46,7 +46,7 @@ class Sampling {
       const std::lock_guard lock(counting);
       out.traced += counts.traced;
     });
-    out.seconds = (static_cast<double>(std::clock()) - before) / CLOCKS_PER_SEC;
+    out.seconds = processor_seconds() - before;
     for (Eigen::Array3d& radiance : out.radiance) radiance /= static_cast<double>(spp) * rays;
     return out;
   }
@@ -54,7 +54,7 @@ class Sampling {
  private:
   void add_row(const Strategy& ask, int rays, const SampleId& first, std::uint64_t seed, Picture& out,
                RayCounts& counts) const {
-    const auto width = static_cast<std::size_t>(camera_.width_px);
+    const std::size_t width = camera_.width_px;
     std::vector<Ray> camera_rays(width);
     for (std::size_t x = 0; x < width; ++x)
       camera_rays[x] = camera_ray(camera_, static_cast<int>(x), first.y,

@@ -139,7 +139,7 @@ std::vector<LinkRow> measure_links(const ConvergenceSubject& subject, const Trut
   const std::size_t count = variants.list().size();
   std::vector<LinkRow> rows(count);
   std::vector<std::vector<double>> scene_seconds(count), stimulus_seconds(count);
-  Progress progress(stimulus_id(subject.stimulus) + " links", static_cast<double>(runs * count));
+  Progress progress(stimulus_id(subject.stimulus) + " links", runs * count);
   for (int run = 0; run < runs; ++run)
     for (std::size_t i = 0; i < count; ++i) {
       const Variant& variant = variants.list()[i];

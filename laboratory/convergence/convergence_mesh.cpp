@@ -38,7 +38,7 @@ double ray_rate(const ConvergenceSubject& subject, const Geometry& geometry) {
       if (above_horizon(*seen, direction))
         (void)geometry.nearest({ray_start(*seen, direction), direction}, &counts);
     }
-  return static_cast<double>(counts.traced) / watch.seconds();
+  return counts.traced / watch.seconds();
 }
 
 /// Times of quick builds are the fastest of three, because other programs only ever slow them down.
@@ -100,7 +100,7 @@ MeshResult measure_mesh(const ConvergenceSubject& subject, const TruthSums& trut
                         const std::vector<double>& tolerances) {
   MeshResult result{.default_tolerance = subject.study.depth.mesh_tolerance};
   const std::vector<double> tried = tolerances_to_try(tolerances, result.default_tolerance);
-  Progress progress(stimulus_id(subject.stimulus) + " mesh", static_cast<double>(tried.size()) + 2);
+  Progress progress(stimulus_id(subject.stimulus) + " mesh", tried.size() + 2);
   const auto render = [&](MeshRow& row, double work) {
     const Geometry geometry = build_and_measure(subject, row);
     row.rays_per_second = ray_rate(subject, geometry);

@@ -3,8 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <ctime>
 
+#include "laboratory/convergence/estimates/estimates.h"
 #include "renderer/estimators/fast/fast_truth_pass.h"
 #include "renderer/estimators/fast/truth_sums.h"
 #include "renderer/estimators/path/path_truth_pass.h"
@@ -16,10 +16,6 @@
 namespace seamline::renderer {
 namespace {
 
-double processor_seconds_of_pictures() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
 /// The picture's camera rays, one a pixel, by bare Embree: no picture is made without them.
 EstimateLimit camera_rays(const ConvergenceSubject& subject) {
   constexpr int repeats = 8;
@@ -28,10 +24,9 @@ EstimateLimit camera_rays(const ConvergenceSubject& subject) {
   for (int y = 0; y < camera.height_px; ++y)
     for (int x = 0; x < camera.width_px; ++x) rays.push_back(centre_ray(camera, x, y));
   std::vector<float> distance_m(rays.size());
-  const double before = processor_seconds_of_pictures();
+  const double before = processor_seconds();
   for (int i = 0; i < repeats; ++i) subject.geometry.truth.distances(rays, distance_m);
-  return {.what = "a camera ray a pixel",
-          .seconds_each = (processor_seconds_of_pictures() - before) / repeats};
+  return {.what = "a camera ray a pixel", .seconds_each = (processor_seconds() - before) / repeats};
 }
 
 /// What stands in for the depth mesh, in words.
@@ -68,10 +63,10 @@ EstimateResult measure_mitigation(const ConvergenceSubject& subject) {
       settings.width_px = width_px;
       settings.mitigation = mitigation;
       settings.mitigation.mask_width_px = settings.mitigation.matte_width_px = width_px;
-      const double before = processor_seconds_of_pictures();
+      const double before = processor_seconds();
       const LocalScene local = stimulus_scene(subject.scene, *estimator, settings, true, subject.threads);
       const Image picture = compose(estimator->stimulus(subject.recipe, local.world(), {}).sums).picture;
-      result.rows.push_back({name, static_cast<double>(width_px), processor_seconds_of_pictures() - before,
+      result.rows.push_back({name, static_cast<double>(width_px), processor_seconds() - before,
                              display_rmse(picture, reference, subject.exposure_ev())});
     }
     progress.advance(1, "widths");
@@ -114,19 +109,19 @@ EstimateResult measure_filter(const ConvergenceSubject& subject) {
   const SceneGeometry geometry(scene);
   Progress progress(stimulus_id(subject.stimulus) + " filter", 5);
   for (int spp = fewest_spp; spp <= most_spp; spp *= 2) {
-    const double before = processor_seconds_of_pictures();
+    const double before = processor_seconds();
     SceneSums sums = empty_sums(scene.camera, scene.objects.size());
     add_samples(scene, geometry, std::vector<int>(sums.spp.size(), spp),
                 {.seed = subject.study.seed, .threads = subject.threads, .tail_every = choices.tail_every},
                 sums);
-    const double sampled = processor_seconds_of_pictures();
+    const double sampled = processor_seconds();
     for (const FilterStrength& filter : choices.filters) {
-      const double filters = processor_seconds_of_pictures();
+      const double filters = processor_seconds();
       const Image picture =
           reference_image(truth_sums(sums, scene.camera, scene.light, subject.stimulus.object_index,
                                      {.filter = filter, .threads = subject.threads}));
       result.rows.push_back({series_name(filter), static_cast<double>(spp),
-                             sampled - before + processor_seconds_of_pictures() - filters,
+                             sampled - before + processor_seconds() - filters,
                              display_rmse(picture, reference, subject.exposure_ev())});
     }
     progress.advance(1, "samples");

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <ctime>
 
+#include "laboratory/convergence/estimates/estimates.h"
 #include "raytracer/common/parallel.h"
 #include "renderer/depth/local_scene.h"
 #include "renderer/estimators/realtime_methods.h"
@@ -80,11 +80,6 @@ void ask_frame(const ConvergenceSubject& subject, const DepthWorld& world) {
   });
 }
 
-/// Of all threads: what other programs take meanwhile is not in it.
-double processor_seconds() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
 double middle(std::array<double, 3> seconds) {
   std::sort(seconds.begin(), seconds.end());
   return seconds[1];
@@ -119,8 +114,7 @@ std::vector<RealtimeRow> measure_realtime(const ConvergenceSubject& subject, con
   const Image traced = picture(local.traced_world());
   std::vector<RealtimeRow> rows;
   std::vector<std::array<double, runs>> prepare(list.size()), ask(list.size());
-  Progress progress(stimulus_id(subject.stimulus) + " realtime",
-                    static_cast<double>((runs + 1) * list.size()));
+  Progress progress(stimulus_id(subject.stimulus) + " realtime", (runs + 1) * list.size());
   for (std::size_t run = 0; run < runs; ++run)
     for (std::size_t i = 0; i < list.size(); ++i) {
       const double start_s = processor_seconds();

@@ -161,7 +161,7 @@ SampleResult measure_samples(const ConvergenceSubject& subject, double budget_s)
   for (int spp = 1; !open.empty() && spp <= reference_spp; spp *= 2) {
     for (const Series& series : open) {
       if (spp >= series.fewest_spp) result.rows.push_back(measure(subject, series, spp, reference));
-      progress.advance(passes_a_trial * spp / static_cast<double>(result.meanings.size()), series.name);
+      progress.advance(passes_a_trial * spp / result.meanings.size(), series.name);
     }
     std::erase_if(open, [&](const Series& series) { return is_finished(result.rows, series, longest_s); });
   }

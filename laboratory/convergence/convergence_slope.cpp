@@ -18,8 +18,8 @@ std::optional<double> log_log_slope(std::span<const double> x, std::span<const d
     mean_y += logs.back().second;
   }
   if (logs.size() < 2) return std::nullopt;
-  mean_x /= static_cast<double>(logs.size());
-  mean_y /= static_cast<double>(logs.size());
+  mean_x /= logs.size();
+  mean_y /= logs.size();
   double variance = 0, covariance = 0;
   for (const auto& [log_x, log_y] : logs) {
     variance += (log_x - mean_x) * (log_x - mean_x);

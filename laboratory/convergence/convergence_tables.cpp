@@ -27,7 +27,7 @@ std::optional<double> slope_of(const std::vector<Row>& rows, const std::function
 constexpr double clear_of_noise = 3;
 
 double mega(std::int64_t value) {
-  return static_cast<double>(value) / 1e6;
+  return value / 1e6;
 }
 
 std::string percent(double share) {

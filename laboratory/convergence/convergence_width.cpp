@@ -15,7 +15,7 @@ namespace {
 
 /// Texels of the panorama in one pixel at the middle of the picture.
 double texels_per_pixel(const Camera& camera, int width_px) {
-  const double pixel_rad = 2.0 * static_cast<double>(camera.tan_half_horizontal) / camera.width_px;
+  const double pixel_rad = 2.0 * camera.tan_half_horizontal / camera.width_px;
   return pixel_rad * width_px / (2 * std::numbers::pi);
 }
 
@@ -24,8 +24,7 @@ double texels_per_pixel(const Camera& camera, int width_px) {
 std::vector<WidthRow> measure_width(const ConvergenceSubject& subject, const TruthSums& truth) {
   const Image reference = reference_image(truth);
   std::vector<WidthRow> rows;
-  Progress progress(stimulus_id(subject.stimulus) + " width",
-                    static_cast<double>(depth_widths_px(subject.study).size()));
+  Progress progress(stimulus_id(subject.stimulus) + " width", depth_widths_px(subject.study).size());
   for (const int width_px : depth_widths_px(subject.study)) {
     WidthRow row{.width_px = width_px, .texels_per_pixel = texels_per_pixel(subject.scene.camera, width_px)};
     const Stopwatch capture_watch;

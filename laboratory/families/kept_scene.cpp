@@ -74,9 +74,9 @@ class LookedAtScene {
 /// The object that a broken rule is about, else any.
 std::size_t object_to_move(const GeneratedScene& scene, const std::vector<renderer::RuleResult>& broken,
                            Random& random) {
-  const std::size_t any = static_cast<std::size_t>(random.below(3));
+  const std::size_t any = random.below(3);
   if (broken.empty()) return any;
-  const std::string& found = broken[static_cast<std::size_t>(random.below(broken.size()))].found;
+  const std::string& found = broken[random.below(broken.size())].found;
   if (found.find("ratio") != std::string::npos) return any;
   std::size_t named = any, at = found.size();
   for (std::size_t object = 0; object < scene.objects.size(); ++object)
@@ -112,8 +112,7 @@ bool place_until_kept(SceneFamily family, GeneratedScene& scene, Random& random,
 }  // namespace
 
 KeptScene scene_that_keeps_rules(SceneFamily family, std::uint64_t seed, int number) {
-  Random random(seed, static_cast<std::uint64_t>(number) * scenes::every_scene_family.size() +
-                          static_cast<std::uint64_t>(family));
+  Random random(seed, number * scenes::every_scene_family.size() + static_cast<std::uint64_t>(family));
   KeptScene kept;
   for (; kept.scenes_drawn <= most_scenes; ++kept.scenes_drawn) {
     kept.scene = generate_scene(family, random);

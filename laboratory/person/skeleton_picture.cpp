@@ -1,4 +1,5 @@
 #include "laboratory/person/skeleton_picture.h"
+#include "support/arithmetic/grid_index.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,9 +19,8 @@ void fill_disc(ByteImage& picture, const Eigen::Vector2d& centre_px, double radi
   for (int y = std::max(first(centre_px.y()), 0); y <= last(centre_px.y(), picture.height_px); ++y)
     for (int x = std::max(first(centre_px.x()), 0); x <= last(centre_px.x(), picture.width_px); ++x) {
       if ((Eigen::Vector2d(x + 0.5, y + 0.5) - centre_px).norm() > radius_px) continue;
-      const std::size_t at = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width_px) +
-                                  static_cast<std::size_t>(x));
-      std::copy(colour.begin(), colour.end(), picture.values.begin() + static_cast<std::ptrdiff_t>(at));
+      const std::size_t at = 3 * grid_index(y, x, picture.width_px);
+      std::copy(colour.begin(), colour.end(), picture.values.begin() + at);
     }
 }
 
@@ -53,7 +53,7 @@ ByteImage skeleton_over_depth(const ByteImage& depth, const sensors::DepthFrame&
     places_px.push_back(joint_m ? sensors::project(frame.camera, frame_from_world * *joint_m) : std::nullopt);
   const double thick_px = std::max(1.0, frame.camera.width_px / 320.0);
   for (std::size_t i = 1; i < skeleton.joints.size(); ++i) {
-    const auto& start_px = places_px[static_cast<std::size_t>(skeleton.joints[i].parent)];
+    const auto& start_px = places_px[skeleton.joints[i].parent];
     if (start_px && places_px[i]) draw_line(picture, *start_px, *places_px[i], thick_px, bone_colour);
   }
   for (const auto& place_px : places_px)

@@ -18,7 +18,7 @@ namespace {
 constexpr double lost_below_m = 1;
 
 double root_mean(double sum, std::size_t count) {
-  return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0;
+  return count > 0 ? std::sqrt(sum / count) : 0;
 }
 
 void measure(const std::vector<Eigen::Vector3d>& middles_m, Fall& fall) {

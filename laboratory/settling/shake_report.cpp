@@ -30,7 +30,7 @@ CsvTable pose_table(const std::vector<Fall>& falls, const FallRequest& request) 
   for (const Fall& fall : falls)
     for (std::size_t i = 0; i < fall.poses.size(); ++i) {
       const Eigen::Vector3d at = fall.poses[i].translation(), turn = rotation_deg_of(fall.poses[i].linear());
-      const auto frame = static_cast<std::int64_t>(i);
+      const std::int64_t frame = i;
       table.rows.push_back({fall.name, frame, static_cast<double>(i + 1) / request.frames_per_s,
                             std::int64_t{frame >= request.frames_to_rest ? 1 : 0}, at.x(), at.y(), at.z(),
                             turn.x(), turn.y(), turn.z()});

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/arithmetic/grid_index.h"
 #include "support/text/error.h"
 #include "support/text/printable.h"
 #include "support/text/request_name.h"
@@ -71,7 +72,7 @@ double median_m(const DepthFrame& frame) {
                [](float depth_m) { return !DepthFrame::is_hole(depth_m); });
   const auto middle = depths_m.begin() + static_cast<std::ptrdiff_t>(depths_m.size() / 2);
   std::nth_element(depths_m.begin(), middle, depths_m.end());
-  return static_cast<double>(*middle);
+  return *middle;
 }
 
 /// The power of a thousand that brings a median among usual distances: what was probably meant.
@@ -136,8 +137,7 @@ std::vector<KnownValue> known_by_points(const RawDepth& raw, const fs::path& pat
     if (!(point.x_px >= 0 && point.x_px < raw.width_px && point.y_px >= 0 && point.y_px < raw.height_px))
       throw found("which is outside");
     const float value =
-        raw.values[static_cast<std::size_t>(point.y_px) * static_cast<std::size_t>(raw.width_px) +
-                   static_cast<std::size_t>(point.x_px)];
+        raw.values[grid_index(static_cast<int>(point.y_px), static_cast<int>(point.x_px), raw.width_px)];
     if (!std::isfinite(value) || stands_for_nothing(form, value)) throw found("where the map has none");
     known.push_back({static_cast<double>(value), point.depth_m});
   }
@@ -177,14 +177,14 @@ float metres_or_hole(float value, const StatedDepth& form, const DepthLine& line
   if (std::isnan(value)) return ++why.no_number, hole;
   if (stands_for_nothing(form, value)) return ++why.coded, hole;
   if (form.estimate) {
-    const double depth_m = metres_of_value(form.estimate->value, line, static_cast<double>(value));
+    const double depth_m = metres_of_value(form.estimate->value, line, value);
     if (!(depth_m <= 1e9)) return ++why.beyond_line, hole;
     return static_cast<float>(depth_m);
   }
   if (value == 0.0F) return ++why.zero, hole;
   if (value < 0.0F) return ++why.negative, hole;
   if (std::isinf(value)) return ++why.infinite, hole;
-  return static_cast<float>(static_cast<double>(value) * form.metres_per_step.value_or(1));
+  return static_cast<float>(value * form.metres_per_step.value_or(1));
 }
 
 void note_holes(const RawDepth& raw, const StatedDepth& form, DepthFromValues& read) {

@@ -40,17 +40,17 @@ DepthError depth_error(std::span<const float> depth_m, std::span<const float> tr
   std::int64_t near = 0;
   for (std::size_t i = 0; i < depth_m.size(); ++i) {
     if (!std::isfinite(depth_m[i]) || !std::isfinite(true_m[i])) continue;
-    const double d = static_cast<double>(depth_m[i]), truth = static_cast<double>(true_m[i]);
+    const double d = depth_m[i], truth = true_m[i];
     ++error.compared;
     relative += std::abs(d - truth) / truth;
     squared += (d - truth) * (d - truth);
     near += std::max(d / truth, truth / d) < 1.25 ? 1 : 0;
   }
   if (error.compared == 0) return error;
-  const auto count = static_cast<double>(error.compared);
+  const double count = error.compared;
   error.abs_rel = relative / count;
   error.rmse_m = std::sqrt(squared / count);
-  error.within_quarter = static_cast<double>(near) / count;
+  error.within_quarter = near / count;
   return error;
 }
 
@@ -61,8 +61,7 @@ void mix_with_truth(std::span<const float> true_m, double share, std::vector<flo
     if (share == 0) {
       depth_m[i] = true_m[i];
     } else if (std::isfinite(depth_m[i])) {
-      const double inverse =
-          (1 - share) / static_cast<double>(true_m[i]) + share / static_cast<double>(depth_m[i]);
+      const double inverse = (1 - share) / true_m[i] + share / depth_m[i];
       depth_m[i] = static_cast<float>(1 / inverse);
     }
   }
@@ -78,7 +77,7 @@ std::vector<float> estimated_depth(const std::filesystem::path& path, DepthValue
   std::vector<float> depth_m;
   depth_m.reserve(raw.values.size());
   for (const float one : raw.values) {
-    const double metres = metres_of_value(value, line, static_cast<double>(one));
+    const double metres = metres_of_value(value, line, one);
     depth_m.push_back(metres < 1e9 ? static_cast<float>(metres) : hole);
   }
   if (std::none_of(depth_m.begin(), depth_m.end(), [](float one) { return std::isfinite(one); }))

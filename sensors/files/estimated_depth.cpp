@@ -20,7 +20,7 @@ double straight(DepthValue kind, double depth_m) {
 }
 
 DepthLine least_squares(DepthValue kind, std::span<const KnownValue> known, const std::string& field) {
-  const auto count = static_cast<double>(known.size());
+  const double count = known.size();
   if (known.size() == 1) return {.scale = straight(kind, known[0].depth_m) / known[0].value, .shift = 0};
   double mean_value = 0, mean_straight = 0;
   for (const KnownValue& one : known) {
@@ -61,7 +61,7 @@ DepthFit fit_depth(DepthValue kind, std::span<const KnownValue> known, const std
                                             kind == DepthValue::inverse
                                                 ? " (" + request_name("depth_value") + " relative?)"
                                                 : " (" + request_name("depth_value") + " inverse?)")});
-  const auto count = static_cast<double>(fit.used);
+  const double count = fit.used;
   for (const KnownValue& one : known) {
     const double depth_m = metres_of_value(kind, fit.line, one.value), error_m = depth_m - one.depth_m;
     if (std::isinf(depth_m)) continue;  // beyond infinity: no distance to compare

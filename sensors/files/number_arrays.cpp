@@ -42,7 +42,7 @@ class ArrayFile {
     return input_error({.file = path_.string(), .wanted = wanted, .found = found});
   }
   std::string bytes(std::int64_t count) {
-    std::string text(static_cast<std::size_t>(count), '\0');
+    std::string text(count, '\0');
     in_.read(text.data(), count);
     if (in_.gcount() != count) throw damaged("one that ends early");
     return text;
@@ -137,8 +137,7 @@ ArrayForm npy_form(ArrayFile& file) {
   if (start[6] < 1 || start[6] > 3) throw file.damaged(fmt::format("version {}", int{start[6]}));
   const std::string size_text = file.bytes(size_bytes);
   std::int64_t size = 0;
-  for (int i = size_bytes - 1; i >= 0; --i)
-    size = size << 8 | static_cast<unsigned char>(size_text[static_cast<std::size_t>(i)]);
+  for (int i = size_bytes - 1; i >= 0; --i) size = size << 8 | static_cast<unsigned char>(size_text[i]);
   if (size > file.left()) throw file.damaged("one that ends in its header");
   constexpr std::int64_t longest_header = 65536;
   if (size > longest_header) throw file.damaged("a header without an end");
@@ -182,7 +181,7 @@ double half_of(std::uint16_t bits) {
 
 float number_at(const char* bytes, const ArrayForm& form) {
   std::array<char, 8> ordered{};
-  const auto count = static_cast<std::size_t>(form.bytes);
+  const std::size_t count = form.bytes;
   for (std::size_t i = 0; i < count; ++i) ordered[i] = bytes[form.big_endian ? count - 1 - i : i];
   std::uint64_t bits = 0;
   std::memcpy(&bits, ordered.data(), ordered.size());
@@ -219,7 +218,7 @@ RawDepth read_array(const fs::path& path, ArrayKind kind,
   if (const std::int64_t wanted = count * form.channels * form.bytes, found = file.left(); wanted != found)
     throw file.damaged(fmt::format("one with {} bytes of numbers where its header says {}", found, wanted));
   const std::string bytes = file.bytes(count * form.channels * form.bytes);
-  raw.values.resize(static_cast<std::size_t>(count));
+  raw.values.resize(count);
   for (std::int64_t row = 0; row < form.height_px; ++row)
     for (std::int64_t column = 0; column < form.width_px; ++column) {
       const std::int64_t line = form.from_bottom ? form.height_px - 1 - row : row;

@@ -50,7 +50,7 @@ class PgmBytes {
     if (size - at_ != wanted_bytes)
       throw damaged(
           fmt::format("one with {} bytes of pixels where its header says {}", size - at_, wanted_bytes));
-    std::string bytes(static_cast<std::size_t>(wanted_bytes), '\0');
+    std::string bytes(wanted_bytes, '\0');
     in_.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     if (!in_) throw damaged("one that cannot be read");
     return bytes;

@@ -73,7 +73,7 @@ void require_kind(const fs::path& path, const RawPicture& picture, const RawDept
 
 /// Of colours whose channels are equal; of one channel itself.
 std::vector<float> one_channel(const fs::path& path, Image image) {
-  const auto channels = static_cast<std::size_t>(image.channels);
+  const std::size_t channels = image.channels;
   if (channels == 1) return std::move(image.values);
   std::vector<float> values(image.values.size() / channels);
   for (std::size_t i = 0; i < values.size(); ++i) {

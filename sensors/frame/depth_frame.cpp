@@ -17,7 +17,7 @@ std::optional<Eigen::Vector3d> point_of_pixel(const DepthFrame& frame, int colum
   if (DepthFrame::is_hole(depth_m)) return std::nullopt;
   const auto metre = metre_of_pixel(frame, column, row);
   if (!metre) return std::nullopt;
-  return *metre * static_cast<double>(depth_m);
+  return *metre * depth_m;
 }
 
 DepthFrame in_convention(const DepthFrame& frame, DepthConvention convention) {
@@ -39,7 +39,7 @@ std::int64_t clean_holes(DepthFrame& frame, double nearest_m, double farthest_m)
   std::int64_t cleaned = 0;
   for (float& depth_m : frame.depth_m) {
     if (DepthFrame::is_hole(depth_m)) continue;
-    const double value = static_cast<double>(depth_m);
+    const double value = depth_m;
     if (value > 0 && value >= nearest_m && value <= farthest_m) continue;
     depth_m = hole;
     ++cleaned;

@@ -42,14 +42,14 @@ double depth_buffer_step_m(const DepthBuffer& buffer, double planar_m) {
 }
 
 bool hides_in_metres(const DepthFrame& planar, double x_px, double y_px, double virtual_planar_m) {
-  return static_cast<double>(value_at(planar, x_px, y_px)) < virtual_planar_m;
+  return value_at(planar, x_px, y_px) < virtual_planar_m;
 }
 
 bool hides_in_buffer(const DepthFrame& planar, double x_px, double y_px, double virtual_planar_m,
                      const DepthBuffer& buffer) {
   const float real_m = value_at(planar, x_px, y_px);
   if (DepthFrame::is_hole(real_m)) return false;
-  return depth_buffer_step(buffer, static_cast<double>(real_m)) < depth_buffer_step(buffer, virtual_planar_m);
+  return depth_buffer_step(buffer, real_m) < depth_buffer_step(buffer, virtual_planar_m);
 }
 
 bool hides(double real_planar_m, double virtual_planar_m, const DepthBuffer* buffer) {

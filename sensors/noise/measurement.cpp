@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "support/arithmetic/grid_index.h"
 #include "support/running/parallel.h"
 #include "support/text/error.h"
 
@@ -29,8 +30,7 @@ void require_valid(const SeenFrame& seen) {
 }
 
 std::size_t pixel_index(const PinholeCamera& camera, int column, int row) {
-  return static_cast<std::size_t>(row) * static_cast<std::size_t>(camera.width_px) +
-         static_cast<std::size_t>(column);
+  return grid_index(row, column, camera.width_px);
 }
 
 void count_states(Measurement& measurement) {
@@ -55,14 +55,14 @@ double noise_sigma_m(const NoiseModel& model, const SeenPixel& seen, double scal
 SeenPixel seen_pixel(const SeenFrame& seen, int column, int row) {
   const std::size_t at = pixel_index(seen.camera, column, row);
   SeenPixel pixel;
-  pixel.centre.radial_m = static_cast<double>(seen.radial_m[at]);
+  pixel.centre.radial_m = seen.radial_m[at];
   pixel.centre.albedo = seen.albedo.empty() ? 1 : static_cast<double>(seen.albedo[at]);
   pixel.centre.cosine = seen.cosine.empty() ? 1 : static_cast<double>(seen.cosine[at]);
   pixel.lit_by_projector = seen.lit_by_projector.empty() || seen.lit_by_projector[at] != 0;
   if (std::isfinite(pixel.centre.radial_m))
     if (const auto direction = direction_through(seen.camera, {column + 0.5, row + 0.5}))
       pixel.planar_m = pixel.centre.radial_m / direction->norm();
-  const std::size_t each = static_cast<std::size_t>(seen.sub_rays_per_pixel);
+  const std::size_t each = seen.sub_rays_per_pixel;
   pixel.sub_rays = std::span(seen.sub_rays).subspan(at * each, each);
   return pixel;
 }

@@ -19,7 +19,7 @@ struct PixelLight {
 
 PixelLight light_of(const TimeOfFlightNoise& model, const SeenPixel& seen) {
   const auto footprint = model.mixes && !seen.sub_rays.empty() ? seen.sub_rays : std::span(&seen.centre, 1);
-  const double share = 1.0 / static_cast<double>(footprint.size());
+  const double share = 1.0 / footprint.size();
   PixelLight light;
   double strongest = 0, sum = 0;
   for (const SubRay& ray : footprint)

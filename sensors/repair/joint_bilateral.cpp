@@ -49,10 +49,9 @@ Repaired smooth_by_photograph(const DepthFrame& measured, const Image& photograp
   require_numbers(photograph, "joint bilateral: photograph");
 
   const int radius = bilateral.radius_px;
-  std::vector<double> near(static_cast<std::size_t>(radius) + 1);  // the weight of a distance along one axis
+  std::vector<double> near(radius + 1);  // the weight of a distance along one axis
   for (int step = 0; step <= radius; ++step)
-    near[static_cast<std::size_t>(step)] =
-        std::exp(-step * step / (2 * bilateral.sigma_px * bilateral.sigma_px));
+    near[step] = std::exp(-step * step / (2 * bilateral.sigma_px * bilateral.sigma_px));
   const double of_square = -1 / (2 * bilateral.sigma_colour * bilateral.sigma_colour);
   std::vector<float> depth_m = measured.depth_m;
   run_parallel(height, threads, [&](int row) {
@@ -68,7 +67,7 @@ Repaired smooth_by_photograph(const DepthFrame& measured, const Image& photograp
                                 near[static_cast<std::size_t>(std::abs(y - row))] *
                                 std::exp(of_square * square_of_difference(photograph, column, row, x, y));
           weights += weight;
-          sum += weight * static_cast<double>(value);
+          sum += weight * value;
         }
       if (is_hole && weights < bilateral.least_weight) continue;
       depth_m[measured.index(column, row)] = static_cast<float>(sum / weights);

@@ -35,7 +35,7 @@ std::vector<PlanePixel> measured_pixels(const DepthFrame& frame, const PlaneRepa
     for (int column = 0; column < frame.camera.width_px; ++column) {
       const auto point_m = point_of_pixel(frame, column, row);
       if (!point_m) continue;
-      const double depth_m = static_cast<double>(frame.at(column, row));
+      const double depth_m = frame.at(column, row);
       pixels.push_back({.metre = *point_m / depth_m,
                         .depth_m = depth_m,
                         .tolerance_m = repair.tolerance_m + repair.tolerance_relative * depth_m,
@@ -89,9 +89,7 @@ Vector3d fitted_often(const std::vector<PlanePixel>& pixels, Vector3d plane, int
 
 /// A plane through three pixels of one neighbourhood.
 std::optional<Vector3d> sampled_plane(const std::vector<PlanePixel>& pixels, int reach_px, Random& random) {
-  const auto any = [&]() -> const PlanePixel& {
-    return pixels[static_cast<std::size_t>(random.below(pixels.size()))];
-  };
+  const auto any = [&]() -> const PlanePixel& { return pixels[random.below(pixels.size())]; };
   const PlanePixel& first = any();
   // Pixels lie row by row: those of the rows within reach are one stretch.
   const auto row_before = [](const PlanePixel& pixel, int row) { return pixel.row < row; };
@@ -102,9 +100,7 @@ std::optional<Vector3d> sampled_plane(const std::vector<PlanePixel>& pixels, int
   const PlanePixel* others[2] = {nullptr, nullptr};
   for (const PlanePixel*& other : others)
     for (int tries = 0; tries < 50 && other == nullptr; ++tries) {
-      const auto& candidate =
-          pixels[static_cast<std::size_t>(begin) +
-                 static_cast<std::size_t>(random.below(static_cast<std::uint64_t>(end - begin)))];
+      const auto& candidate = pixels[static_cast<std::size_t>(begin) + random.below(end - begin)];
       if (std::abs(candidate.column - first.column) <= reach_px) other = &candidate;
     }
   if (others[0] == nullptr || others[1] == nullptr) return std::nullopt;
@@ -165,18 +161,18 @@ void require_valid(const PlaneRepair& repair, const std::string& where) {
 RepairedPlanes replace_planes(const DepthFrame& measured, const PlaneRepair& repair) {
   require_valid(repair, "planes: ");
   std::vector<PlanePixel> pixels = measured_pixels(measured, repair);
-  const double least = std::max(3.0, repair.least_share * static_cast<double>(measured.depth_m.size()));
+  const double least = std::max(3.0, repair.least_share * measured.depth_m.size());
   const int reach_px = std::max(3, measured.camera.width_px / 12);
   std::vector<float> depth_m = measured.depth_m;
   RepairedPlanes result;
   result.plane_of_pixel.assign(measured.depth_m.size(), -1);
   Random random(repair.seed);
-  while (std::ssize(result.planes) < repair.most_planes && static_cast<double>(pixels.size()) >= least) {
+  while (std::ssize(result.planes) < repair.most_planes && pixels.size() >= least) {
     const auto plane = best_plane(pixels, reach_px, repair.draws, random);
     if (!plane) break;
     const auto rest = std::stable_partition(
         pixels.begin(), pixels.end(), [&](const PlanePixel& pixel) { return !supports(pixel, *plane); });
-    if (static_cast<double>(pixels.end() - rest) < least) break;
+    if (pixels.end() - rest < least) break;
     for (auto pixel = rest; pixel != pixels.end(); ++pixel) {
       depth_m[pixel->index] = static_cast<float>(*plane_depth_m(*plane, *pixel));
       result.plane_of_pixel[pixel->index] = static_cast<int>(result.planes.size());

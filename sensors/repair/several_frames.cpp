@@ -14,7 +14,7 @@ namespace {
 float middle_half_mean(const std::vector<float>& values) {
   const auto left_out = static_cast<std::ptrdiff_t>(values.size() / 4);
   const double sum = std::accumulate(values.begin() + left_out, values.end() - left_out, 0.0);
-  return static_cast<float>(sum / static_cast<double>(values.size() - 2 * (values.size() / 4)));
+  return static_cast<float>(sum / (values.size() - 2 * (values.size() / 4)));
 }
 
 }  // namespace

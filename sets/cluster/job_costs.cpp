@@ -60,7 +60,7 @@ std::vector<Stimulus> probed_of(const std::vector<Stimulus>& stimuli, const std:
 double peak_memory_bytes() {
   rusage usage{};
   ::getrusage(RUSAGE_SELF, &usage);
-  return 1024.0 * static_cast<double>(usage.ru_maxrss);
+  return 1024.0 * usage.ru_maxrss;
 }
 
 /// Cost of so many samples a pixel, in the cost of one: what a picture takes besides is about that of eight.
@@ -165,7 +165,7 @@ class Probe {
 double mean_of(const std::map<std::string, double>& known) {
   double sum = 0;
   for (const auto& [name, seconds] : known) sum += seconds;
-  return known.empty() ? 0 : sum / static_cast<double>(known.size());
+  return known.empty() ? 0 : sum / known.size();
 }
 
 /// From the first level to the last by their places.
@@ -245,8 +245,8 @@ JobCosts measure_costs(const StudyDefinition& study, const RenderRequest& reques
   for (const SceneDefinition& truth : list_truths(study))
     widest_px = std::max(widest_px, truth.view.eyes() * study.width_px / truth.view.squeeze());
   // A byte a sample and pixel is the most that more samples take.
-  costs.memory_bytes = static_cast<std::int64_t>(
-      1.3 * (peak_memory_bytes() + most_samples * widest_px * static_cast<double>(study.height_px)));
+  costs.memory_bytes =
+      static_cast<std::int64_t>(1.3 * (peak_memory_bytes() + most_samples * widest_px * study.height_px));
   costs.measured_s = watch.seconds();
   return costs;
 }

@@ -63,7 +63,7 @@ namespace {
 
 void enter_study(SQLite::Database& database, const RenderedSet& set) {
   enter_study_row(database, set);
-  const auto wanted = static_cast<std::int64_t>(set.manifest.stimuli.size());
+  const std::int64_t wanted = set.manifest.stimuli.size();
   const std::int64_t entered = enter_missing_stimuli(database, set.manifest.stimuli);
   if (entered != wanted)
     throw input_error({.file = (set.folder / "manifest.json").string(),

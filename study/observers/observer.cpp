@@ -61,8 +61,7 @@ double seen_apart(const ObserverDefinition& definition) {
 Response guess(const Alternatives& alternatives, Random& random) {
   if (alternatives.false_alarms)
     return {.chosen_index = random.uniform() < *alternatives.false_alarms ? 1 : 2, .rating = 1};
-  return {.chosen_index = 1 + static_cast<int>(random.below(static_cast<std::uint64_t>(alternatives.count))),
-          .rating = 1};
+  return {.chosen_index = 1 + static_cast<int>(random.below(alternatives.count)), .rating = 1};
 }
 
 /// The answer of a person who sees the seam of this stimulus with probability `seen`.
@@ -232,8 +231,7 @@ double seen_probability(const Observer& observer, const Stimulus& stimulus) {
 }
 
 std::size_t matched_rung(const Observer& observer, const std::vector<Stimulus>& ladder, Random& random) {
-  if (std::holds_alternative<GuessingObserver>(observer))
-    return static_cast<std::size_t>(random.below(ladder.size()));
+  if (std::holds_alternative<GuessingObserver>(observer)) return random.below(ladder.size());
   const double z = log_odds(random.uniform());
   std::size_t seen = 0;  // the faintest rung of those from the first on at which the seam is seen
   std::vector<double> odds;

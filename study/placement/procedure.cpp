@@ -8,7 +8,7 @@ namespace seamline::study {
 
 std::optional<int> current_stimulus(const Procedure& procedure) {
   return std::visit(Overloaded{[](const ConstantProcedure& constant) -> std::optional<int> {
-                                 const auto due = static_cast<std::size_t>(constant.answered);
+                                 const std::size_t due = constant.answered;
                                  if (due >= constant.order.size()) return std::nullopt;
                                  return constant.order[due];
                                },

@@ -33,7 +33,7 @@ void enter(QuestPlusTables& tables, int stimulus, int point, const std::vector<d
   };
   double entropy = 0;
   for (int outcome = 0; outcome < tables.outcomes; ++outcome) {
-    const double p = probability[static_cast<std::size_t>(outcome)];
+    const double p = probability[outcome];
     assert(p >= 0 && p <= 1);
     entropy -= p_log_p(p);
     if (outcome + 1 < tables.outcomes) set(outcome, p);
@@ -60,7 +60,7 @@ QuestPlusTables make_quest_plus_tables(int stimuli, int outcomes, int points,
   assert(stimuli > 0 && outcomes > 0 && points > 0);
   QuestPlusTables tables{
       .stimuli = stimuli, .outcomes = outcomes, .points = points, .log_probability = {}, .choice_rows = {}};
-  tables.log_probability.resize(static_cast<std::size_t>(stimuli) * static_cast<std::size_t>(outcomes) *
+  tables.log_probability.resize(stimuli * static_cast<std::size_t>(outcomes) *
                                 static_cast<std::size_t>(points));
   tables.choice_rows.assign(block_begin(tables, outcomes, 0), 0.0);
   for (int stimulus = 0; stimulus < stimuli; ++stimulus)
@@ -71,14 +71,14 @@ QuestPlusTables make_quest_plus_tables(int stimuli, int outcomes, int points,
 
 QuestPlusPosterior uniform_posterior(int points) {
   assert(points > 0);
-  const auto count = static_cast<std::size_t>(points);
+  const std::size_t count = points;
   return {.log_mass = std::vector<double>(count, -std::log(points)),
           .mass = std::vector<double>(count, 1.0 / points)};
 }
 
 void learn(QuestPlusPosterior& posterior, const QuestPlusTables& tables, int stimulus, int outcome) {
   assert(stimulus >= 0 && stimulus < tables.stimuli && outcome >= 0 && outcome < tables.outcomes);
-  const auto points = static_cast<std::size_t>(tables.points);
+  const std::size_t points = tables.points;
   const double* log_probability =
       &tables.log_probability[static_cast<std::size_t>((stimulus * tables.outcomes + outcome)) * points];
   for (std::size_t i = 0; i < points; ++i) posterior.log_mass[i] += log_probability[i];
@@ -107,7 +107,7 @@ double entropy_nats(std::span<const double> mass) {
 std::vector<double> expected_entropies_nats(const QuestPlusTables& tables,
                                             const QuestPlusPosterior& posterior) {
   const double now = entropy_nats(posterior.mass);
-  std::vector<double> expected(static_cast<std::size_t>(tables.stimuli));
+  std::vector<double> expected(tables.stimuli);
   const auto sum_of = [&](int row, int block) {
     return weighted_sum(&tables.choice_rows[block_begin(tables, row, block)], posterior.mass);
   };

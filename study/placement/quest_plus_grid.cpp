@@ -90,8 +90,7 @@ QuestPlusGrid make_grid(const QuestPlusDefinition& definition) {
 double prior_mass(const QuestPlusGrid& grid, Parameter parameter, std::size_t value) {
   const std::vector<double>& log_prior = grid.log_prior[static_cast<std::size_t>(parameter)];
   if (grid.of(parameter).empty()) return 1;
-  return log_prior.empty() ? 1.0 / static_cast<double>(grid.of(parameter).size())
-                           : std::exp(log_prior[value]);
+  return log_prior.empty() ? 1.0 / grid.of(parameter).size() : std::exp(log_prior[value]);
 }
 
 QuestPlusPosterior prior_posterior(const QuestPlusGrid& grid) {
@@ -106,7 +105,7 @@ QuestPlusPosterior prior_posterior(const QuestPlusGrid& grid) {
       log_mass += log_prior.empty() ? -std::log(static_cast<double>(grid.of(parameter).size()))
                                     : log_prior[static_cast<std::size_t>(grid.index(parameter, point))];
     }
-    prior.log_mass[static_cast<std::size_t>(point)] = log_mass;
+    prior.log_mass[point] = log_mass;
   }
   normalise(prior);
   return prior;
@@ -117,8 +116,7 @@ std::vector<double> marginal(const QuestPlusGrid& grid, const QuestPlusPosterior
   std::vector<double> mass(grid.of(parameter).size(), 0.0);
   if (mass.empty()) return mass;
   for (int point = 0; point < grid.points(); ++point)
-    mass[static_cast<std::size_t>(grid.index(parameter, point))] +=
-        posterior.mass[static_cast<std::size_t>(point)];
+    mass[static_cast<std::size_t>(grid.index(parameter, point))] += posterior.mass[point];
   return mass;
 }
 

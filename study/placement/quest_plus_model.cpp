@@ -109,8 +109,7 @@ QuestPlusTables make_level_tables(const QuestPlusDefinition& definition, const Q
                                   const std::vector<double>& levels) {
   return make_quest_plus_tables(static_cast<int>(levels.size()), outcome_count(definition), grid.points(),
                                 [&](int stimulus, int point) {
-                                  return outcome_probabilities(definition, grid, point,
-                                                               levels[static_cast<std::size_t>(stimulus)]);
+                                  return outcome_probabilities(definition, grid, point, levels[stimulus]);
                                 });
 }
 

@@ -13,7 +13,7 @@ namespace {
 /// One of the items, each as likely.
 template <class Item>
 Item draw(const std::vector<Item>& items, Random& random) {
-  return items[static_cast<std::size_t>(random.below(items.size()))];
+  return items[random.below(items.size())];
 }
 
 /// The images of a level that may be shown again and have been shown least.
@@ -21,7 +21,7 @@ std::vector<int> freshest_images(const QuestPlusProcedure& procedure, const std:
   std::vector<int> freshest;
   int fewest = procedure.design->definition.max_shows_per_image - 1;
   for (const int image : images) {
-    const int shows = procedure.shows[static_cast<std::size_t>(image)];
+    const int shows = procedure.shows[image];
     if (shows > fewest) continue;
     if (shows < fewest) freshest.clear();
     fewest = shows;
@@ -58,7 +58,7 @@ std::vector<std::size_t> tracks_in_turn(const std::vector<QuestPlusTrack>& track
 std::optional<int> next_stimulus(const QuestPlusProcedure& procedure) {
   const std::vector<std::size_t> turn = tracks_in_turn(procedure.tracks);
   if (turn.empty()) return std::nullopt;
-  Random random(procedure.seed, static_cast<std::uint64_t>(procedure.answered));
+  Random random(procedure.seed, procedure.answered);
   const std::size_t track = draw(turn, random);
   const std::size_t level = best_level(procedure, track).value();
   return draw(freshest_images(procedure, procedure.design->tracks[track].images[level]), random);
@@ -89,13 +89,13 @@ std::optional<StopReason> stop_reason(const QuestPlusProcedure& procedure, const
 /// Learns from the answer to a stimulus, without looking for the next.
 void take_in(QuestPlusProcedure& procedure, int stimulus, const TrialAnswer& answer) {
   const QuestPlusDesign& design = *procedure.design;
-  const TrackPlace& place = design.places[static_cast<std::size_t>(stimulus)];
-  QuestPlusTrack& track = procedure.tracks[static_cast<std::size_t>(place.track)];
-  const TrackDesign& track_design = design.tracks[static_cast<std::size_t>(place.track)];
+  const TrackPlace& place = design.places[stimulus];
+  QuestPlusTrack& track = procedure.tracks[place.track];
+  const TrackDesign& track_design = design.tracks[place.track];
   learn(track.posterior, *track_design.tables, place.level,
         outcome_of(design.definition, answer, place.object_index));
   ++track.answered;
-  ++procedure.shows[static_cast<std::size_t>(stimulus)];
+  ++procedure.shows[stimulus];
   ++procedure.answered;
   track.stopped = stop_reason(procedure, track_design, track);
 }

@@ -22,8 +22,7 @@ void begin_where_most_is_seen(StaircaseDesign& design, Direction noticeability) 
     std::reverse(curve.images.begin(), curve.images.end());
   }
   for (TrackPlace& place : design.places)
-    place.level = static_cast<int>(design.curves[static_cast<std::size_t>(place.track)].levels.size()) - 1 -
-                  place.level;
+    place.level = static_cast<int>(design.curves[place.track].levels.size()) - 1 - place.level;
 }
 
 int nearest_level(const std::vector<double>& levels, double wanted) {
@@ -55,32 +54,29 @@ struct NextStep {
 std::optional<NextStep> next_step(const StaircaseProcedure& procedure) {
   const std::vector<std::size_t> turn = stairs_in_turn(procedure.stairs);
   if (turn.empty()) return std::nullopt;
-  Random random(procedure.seed, static_cast<std::uint64_t>(procedure.answered));
-  const std::size_t which = turn[static_cast<std::size_t>(random.below(turn.size()))];
-  const StimulusTrack& curve =
-      procedure.design->curves[static_cast<std::size_t>(procedure.design->starts[which].curve)];
-  const std::vector<int>& images = curve.images[static_cast<std::size_t>(procedure.stairs[which].level)];
-  const auto shows = [&](int image) { return procedure.shows[static_cast<std::size_t>(image)]; };
+  Random random(procedure.seed, procedure.answered);
+  const std::size_t which = turn[random.below(turn.size())];
+  const StimulusTrack& curve = procedure.design->curves[procedure.design->starts[which].curve];
+  const std::vector<int>& images = curve.images[procedure.stairs[which].level];
+  const auto shows = [&](int image) { return procedure.shows[image]; };
   int fewest = shows(images.front());
   for (const int image : images) fewest = std::min(fewest, shows(image));
   std::vector<int> freshest;
   std::copy_if(images.begin(), images.end(), std::back_inserter(freshest),
                [&](int image) { return shows(image) == fewest; });
-  return NextStep{.staircase = which,
-                  .stimulus = freshest[static_cast<std::size_t>(random.below(freshest.size()))]};
+  return NextStep{.staircase = which, .stimulus = freshest[random.below(freshest.size())]};
 }
 
 /// Moves the staircase whose turn it is. What was shown is taken from the log, not decided again.
 void take_in_step(StaircaseProcedure& procedure, const StaircaseAnswer& answer) {
   const std::optional<NextStep> step = next_step(procedure);
-  ++procedure.shows[static_cast<std::size_t>(answer.stimulus)];
+  ++procedure.shows[answer.stimulus];
   if (!step) return;
-  const TrackPlace& place = procedure.design->places[static_cast<std::size_t>(answer.stimulus)];
+  const TrackPlace& place = procedure.design->places[answer.stimulus];
   Staircase& stairs = procedure.stairs[step->staircase];
   const int curve = procedure.design->starts[step->staircase].curve;
   if (place.track == curve) stairs.level = place.level;
-  const auto levels =
-      static_cast<int>(procedure.design->curves[static_cast<std::size_t>(curve)].levels.size());
+  const auto levels = static_cast<int>(procedure.design->curves[curve].levels.size());
   stairs = after_answer(std::move(stairs), answer.correct, levels, procedure.design->definition);
   ++procedure.answered;
 }
@@ -122,8 +118,8 @@ Staircase after_answer(Staircase stairs, bool correct, int levels, const Stairca
     stairs.level = std::clamp(stairs.level + heading, 0, levels - 1);
     stairs.right = stairs.wrong = 0;
   }
-  stairs.stopped = static_cast<int>(stairs.reversals.size()) >= definition.reversals ||
-                   stairs.answered >= definition.max_trials;
+  stairs.stopped =
+      std::ssize(stairs.reversals) >= definition.reversals || stairs.answered >= definition.max_trials;
   return stairs;
 }
 
@@ -151,7 +147,7 @@ StaircaseProcedure resume_staircases(StaircaseProcedure procedure,
 StaircaseProcedure after_answer(StaircaseProcedure procedure, const TrialAnswer& answer) {
   assert(procedure.due);
   const int due = *procedure.due;
-  const int right = procedure.design->places[static_cast<std::size_t>(due)].object_index;
+  const int right = procedure.design->places[due].object_index;
   take_in_step(procedure, {.stimulus = due, .correct = answer.chosen_index == right});
   decide_next(procedure);
   return procedure;
@@ -169,10 +165,10 @@ std::optional<double> reversals_mean(const Staircase& stairs, const StimulusTrac
   const std::size_t left = stairs.reversals.size() - reversals_left_out, used = left - left % 2;
   double sum = 0;
   for (std::size_t i = stairs.reversals.size() - used; i < stairs.reversals.size(); ++i) {
-    const double level = curve.levels[static_cast<std::size_t>(stairs.reversals[i])];
+    const double level = curve.levels[stairs.reversals[i]];
     sum += axis == Axis::log2 ? std::log2(level) : level;
   }
-  return sum / static_cast<double>(used);
+  return sum / used;
 }
 
 double staircase_target(const StaircaseDefinition& definition) {

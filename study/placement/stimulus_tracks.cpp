@@ -30,12 +30,11 @@ void find_tracks(StimulusTracks& found_tracks, const std::vector<Stimulus>& stim
 void find_levels(StimulusTracks& found, const std::vector<Stimulus>& stimuli) {
   std::vector<std::map<double, std::vector<int>>> images(found.tracks.size());  // of each track, by level
   for (std::size_t i = 0; i < stimuli.size(); ++i)
-    images[static_cast<std::size_t>(found.places[i].track)][stimuli[i].level].push_back(static_cast<int>(i));
+    images[found.places[i].track][stimuli[i].level].push_back(static_cast<int>(i));
   for (std::size_t t = 0; t < images.size(); ++t)
     for (auto& [level, at_level] : images[t]) {
       StimulusTrack& track = found.tracks[t];
-      for (const int i : at_level)
-        found.places[static_cast<std::size_t>(i)].level = static_cast<int>(track.levels.size());
+      for (const int i : at_level) found.places[i].level = static_cast<int>(track.levels.size());
       track.levels.push_back(level);
       track.images.push_back(std::move(at_level));
     }

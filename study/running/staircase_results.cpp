@@ -42,9 +42,9 @@ std::vector<StaircaseEstimate> staircase_estimates(const LogContents& log) {
                           answers_of[participant.code], std::nullopt);
     for (std::size_t i = 0; i < procedure.stairs.size(); ++i) {
       const StaircaseDesign::Start& start = design->starts[i];
-      const StimulusTrack& curve = design->curves[static_cast<std::size_t>(start.curve)];
+      const StimulusTrack& curve = design->curves[start.curve];
       const Staircase& stairs = procedure.stairs[i];
-      const double from = curve.levels[static_cast<std::size_t>(start.level)];
+      const double from = curve.levels[start.level];
       const std::optional<double> mean = reversals_mean(stairs, curve, axis);
       estimates.push_back(
           {.participant = participant.code,
@@ -55,7 +55,7 @@ std::vector<StaircaseEstimate> staircase_estimates(const LogContents& log) {
            .start = from,
            .trials = stairs.answered,
            .reversals = static_cast<int>(stairs.reversals.size()),
-           .by_reversals = static_cast<int>(stairs.reversals.size()) >= design->definition.reversals,
+           .by_reversals = std::ssize(stairs.reversals) >= design->definition.reversals,
            .level = mean ? std::optional(axis == Axis::log2 ? std::exp2(*mean) : *mean) : std::nullopt,
            .target = target});
     }

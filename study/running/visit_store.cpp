@@ -120,7 +120,7 @@ void VisitStore::State::store_noted() {
 
 bool VisitStore::State::must_store_trial(const Visit& visit) const {
   return place && std::holds_alternative<TrialScreen>(visit.screen) &&
-         static_cast<int>(place->trials.size()) <= place->answered;
+         std::ssize(place->trials) <= place->answered;
 }
 
 template <class Work>

@@ -31,7 +31,7 @@ std::vector<int> places(int count, int last, Random& random) {
   for (int i = 0; i < count; ++i) {
     const int from = i * last / count;
     const int to = std::max(from + 1, (i + 1) * last / count);
-    places.push_back(1 + from + static_cast<int>(random.below(static_cast<std::uint64_t>(to - from))));
+    places.push_back(1 + from + static_cast<int>(random.below(to - from)));
   }
   return places;
 }
@@ -42,8 +42,8 @@ std::vector<CatchTrial> draw_catch_trials(const CatchDefinition& definition, std
                                           int stimulus_trials, const OrderKey& key) {
   const int count = definition.attention + definition.reference;
   if (count == 0 || stimulus_trials == 0 || set.empty()) return {};
-  Random random(mix_bits(key.study_seed ^ catch_salt), static_cast<std::uint64_t>(key.slot));
-  std::vector<TrialKind> kinds(static_cast<std::size_t>(count), TrialKind::attention);
+  Random random(mix_bits(key.study_seed ^ catch_salt), key.slot);
+  std::vector<TrialKind> kinds(count, TrialKind::attention);
   std::fill(kinds.begin() + definition.attention, kinds.end(), TrialKind::reference);
   shuffle(std::span<TrialKind>(kinds), random);
   const std::vector<int> attention = subjects(TrialKind::attention, set, random);

@@ -28,7 +28,7 @@ std::vector<int> in_condition_blocks(std::vector<int> order, const std::vector<S
       conditions.push_back(stimulus.condition);
   const std::vector<int> row = williams_row(static_cast<int>(conditions.size()), slot);
   const auto block_of = [&](int stimulus) {
-    const std::string& condition = stimuli[static_cast<std::size_t>(stimulus)].condition;
+    const std::string& condition = stimuli[stimulus].condition;
     const auto number = std::find(conditions.begin(), conditions.end(), condition) - conditions.begin();
     return std::find(row.begin(), row.end(), static_cast<int>(number)) - row.begin();
   };
@@ -37,7 +37,7 @@ std::vector<int> in_condition_blocks(std::vector<int> order, const std::vector<S
 }
 
 int twin_in(const std::vector<Stimulus>& stimuli, int stimulus, const std::string& condition) {
-  const Stimulus& one = stimuli[static_cast<std::size_t>(stimulus)];
+  const Stimulus& one = stimuli[stimulus];
   const auto found = std::find_if(stimuli.begin(), stimuli.end(), [&](const Stimulus& other) {
     return other.condition == condition && other.scene == one.scene && other.artifact == one.artifact &&
            other.object_index == one.object_index && other.level == one.level;
@@ -49,9 +49,8 @@ void move_into_blocks(std::vector<CatchTrial>& catches, const std::vector<int>& 
                       const std::vector<Stimulus>& stimuli) {
   for (CatchTrial& one : catches) {
     const int before = std::clamp(one.after_stimulus_trials, 1, static_cast<int>(order.size())) - 1;
-    const int stimulus = order[static_cast<std::size_t>(before)];
-    one.trial.stimulus =
-        twin_in(stimuli, one.trial.stimulus, stimuli[static_cast<std::size_t>(stimulus)].condition);
+    const int stimulus = order[before];
+    one.trial.stimulus = twin_in(stimuli, one.trial.stimulus, stimuli[stimulus].condition);
   }
 }
 

@@ -18,25 +18,23 @@ bool is_on_a_ladder(const Stimulus& stimulus) {
 }
 
 const std::vector<int>& ladder_of(const LevelLadders& ladders, int stimulus) {
-  const LevelLadders::Place& place = ladders.places.at(static_cast<std::size_t>(stimulus));
-  return ladders.ladders.at(static_cast<std::size_t>(place.ladder));
+  const LevelLadders::Place& place = ladders.places.at(stimulus);
+  return ladders.ladders.at(place.ladder);
 }
 
 void sort_rungs(LevelLadders& ladders, const std::vector<Stimulus>& stimuli, Direction noticeability) {
   const double towards_less = noticeability == Direction::decreasing ? 1 : -1;
-  const auto level = [&](int stimulus) {
-    return towards_less * stimuli[static_cast<std::size_t>(stimulus)].level;
-  };
+  const auto level = [&](int stimulus) { return towards_less * stimuli[stimulus].level; };
   for (std::vector<int>& ladder : ladders.ladders) {
     std::stable_sort(ladder.begin(), ladder.end(), [&](int a, int b) { return level(a) < level(b); });
     for (std::size_t rung = 0; rung < ladder.size(); ++rung)
-      ladders.places[static_cast<std::size_t>(ladder[rung])].rung = static_cast<int>(rung);
+      ladders.places[ladder[rung]].rung = static_cast<int>(rung);
   }
 }
 
 int drawn_start(const std::vector<int>& ladder, bool clear, Random& random) {
   const std::size_t half = std::max<std::size_t>(1, ladder.size() / 2);
-  const auto rung = static_cast<std::size_t>(random.below(half));
+  const auto rung = random.below(half);
   return clear ? ladder[rung] : ladder[ladder.size() - 1 - rung];
 }
 
@@ -59,7 +57,7 @@ LevelLadders make_level_ladders(const std::vector<Stimulus>& stimuli, Direction 
           curve_of.try_emplace({stimulus.artifact, stimulus.condition}, static_cast<int>(curve_of.size()))
               .first->second);
     }
-    ladders.ladders[static_cast<std::size_t>(found->second)].push_back(static_cast<int>(i));
+    ladders.ladders[found->second].push_back(static_cast<int>(i));
     ladders.places[i].ladder = found->second;
   }
   sort_rungs(ladders, stimuli, noticeability);
@@ -68,9 +66,9 @@ LevelLadders make_level_ladders(const std::vector<Stimulus>& stimuli, Direction 
 
 std::optional<int> next_rung(const LevelLadders& ladders, int stimulus, int rungs) {
   const std::vector<int>& ladder = ladder_of(ladders, stimulus);
-  const int rung = ladders.places[static_cast<std::size_t>(stimulus)].rung + rungs;
-  if (rung < 0 || rung >= static_cast<int>(ladder.size())) return std::nullopt;
-  return ladder[static_cast<std::size_t>(rung)];
+  const int rung = ladders.places[stimulus].rung + rungs;
+  if (rung < 0 || rung >= std::ssize(ladder)) return std::nullopt;
+  return ladder[rung];
 }
 
 std::vector<Trial> pictures_of_ladder(const LevelLadders& ladders, const Trial& trial) {
@@ -82,15 +80,14 @@ std::vector<Trial> pictures_of_ladder(const LevelLadders& ladders, const Trial& 
 
 std::vector<int> match_starts(const LevelLadders& ladders, int repetitions, const OrderKey& key) {
   std::vector<int> number_in_curve, ladders_of_curve(ladders.ladders.size(), 0);
-  for (const int curve : ladders.curves)
-    number_in_curve.push_back(ladders_of_curve[static_cast<std::size_t>(curve)]++);
+  for (const int curve : ladders.curves) number_in_curve.push_back(ladders_of_curve[curve]++);
   std::vector<int> starts;
   for (int r = 0; r < repetitions; ++r) {
-    const std::uint64_t seed = mix_bits(key.study_seed ^ start_salt) + static_cast<std::uint64_t>(r);
-    Random random(mix_bits(seed), static_cast<std::uint64_t>(key.slot));
+    const std::uint64_t seed = mix_bits(key.study_seed ^ start_salt) + r;
+    Random random(mix_bits(seed), key.slot);
     for (const int l :
          stimulus_order(static_cast<int>(ladders.ladders.size()), {.study_seed = seed, .slot = key.slot})) {
-      const auto ladder = static_cast<std::size_t>(l);
+      const std::size_t ladder = l;
       const bool clear = (r + number_in_curve[ladder] + key.slot) % 2 == 0;
       starts.push_back(drawn_start(ladders.ladders[ladder], clear, random));
     }
@@ -100,7 +97,7 @@ std::vector<int> match_starts(const LevelLadders& ladders, int repetitions, cons
 
 bool begins_clear(const LevelLadders& ladders, int stimulus) {
   const std::vector<int>& ladder = ladder_of(ladders, stimulus);
-  return 2 * ladders.places[static_cast<std::size_t>(stimulus)].rung + 1 < static_cast<int>(ladder.size());
+  return 2 * ladders.places[stimulus].rung + 1 < std::ssize(ladder);
 }
 
 }  // namespace seamline::study

@@ -144,7 +144,7 @@ Pose pose_towards(const ObjectMap& map, const PictureFrame& frame) {
 Pose drawn_start(const LookDefinition& look, const std::array<double, 2>& start_deg, int stimulus,
                  int trial_index) {
   if (!(look.start_spread_deg > 0)) return {start_deg[0], start_deg[1]};
-  Random random(static_cast<std::uint64_t>(stimulus), static_cast<std::uint64_t>(trial_index));
+  Random random(stimulus, trial_index);
   return turned(look, {start_deg[0], start_deg[1]}, (2 * random.uniform() - 1) * look.start_spread_deg, 0);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "study/placement/trial.h"
+#include "support/arithmetic/grid_index.h"
 
 namespace seamline::study {
 namespace {
@@ -44,8 +45,7 @@ std::vector<std::uint8_t> grown(const std::vector<std::uint8_t>& map, int width_
   std::vector<std::uint8_t> result = map;
   const auto at = [&](int x, int y) -> std::uint8_t {
     if (x < 0 || y < 0 || x >= width_px || y >= height_px) return 0;
-    return map[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px) +
-               static_cast<std::size_t>(x)];
+    return map[grid_index(y, x, width_px)];
   };
   for (int y = 0; y < height_px; ++y)
     for (int x = 0; x < width_px; ++x) {
@@ -54,8 +54,7 @@ std::vector<std::uint8_t> grown(const std::vector<std::uint8_t>& map, int width_
       for (int dy = -1; dy <= 1 && found == 0; ++dy)
         for (int dx = -1; dx <= 1 && found == 0; ++dx)
           if (with_corners || dx == 0 || dy == 0) found = at(x + dx, y + dy);
-      result[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px) + static_cast<std::size_t>(x)] =
-          found;
+      result[grid_index(y, x, width_px)] = found;
     }
   return result;
 }
@@ -67,11 +66,10 @@ ObjectMap make_object_map(const ByteImage& object_ids, int reach_px, bool two_ey
       .width_px = object_ids.width_px, .height_px = object_ids.height_px, .nearest = object_ids.values};
   map.two_eyes = two_eyes;
   const int left_eye_px = two_eyes ? map.width_px / 2 : map.width_px;
-  std::vector<Bounds> bounds(static_cast<std::size_t>(objects)), right_eye_bounds(bounds.size());
+  std::vector<Bounds> bounds(objects), right_eye_bounds(bounds.size());
   for (int y = 0; y < map.height_px; ++y)
     for (int x = 0; x < map.width_px; ++x) {
-      std::uint8_t& id = map.nearest[static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width_px) +
-                                     static_cast<std::size_t>(x)];
+      std::uint8_t& id = map.nearest[grid_index(y, x, map.width_px)];
       if (id >= 1 && id <= objects)
         (x < left_eye_px ? bounds : right_eye_bounds).at(id - 1U).add(x, y);
       else
@@ -96,7 +94,7 @@ std::vector<std::uint8_t> rolled(const std::vector<std::uint8_t>& map, int width
 
 /// A column that objects have least of.
 int emptiest_column(const ByteImage& ids) {
-  std::vector<int> found(static_cast<std::size_t>(ids.width_px), 0);
+  std::vector<int> found(ids.width_px, 0);
   for (std::size_t i = 0; i < ids.values.size(); ++i)
     if (ids.values[i] != 0) ++found[i % found.size()];
   return static_cast<int>(std::min_element(found.begin(), found.end()) - found.begin());
@@ -117,8 +115,7 @@ ObjectMap make_panorama_map(const ByteImage& object_ids, int reach_px, int objec
 
 int object_at(const ObjectMap& map, double x_px, double y_px) {
   if (x_px < 0 || y_px < 0 || x_px >= map.width_px || y_px >= map.height_px) return 0;
-  return map.nearest[static_cast<std::size_t>(y_px) * static_cast<std::size_t>(map.width_px) +
-                     static_cast<std::size_t>(x_px)];
+  return map.nearest[grid_index(static_cast<int>(y_px), static_cast<int>(x_px), map.width_px)];
 }
 
 }  // namespace seamline::study

@@ -31,7 +31,7 @@ OwnTrials own_trials(const TrialRules& rules, const ParticipantProgress& progres
     own.stimuli.push_back(progress.trials[trial].stimulus);
     if (trial >= progress.answers.size()) continue;
     const Trial& shown = progress.trials[trial];
-    const Stimulus& stimulus = rules.stimuli[static_cast<std::size_t>(shown.stimulus)];
+    const Stimulus& stimulus = rules.stimuli[shown.stimulus];
     own.answers.push_back(placed_answer(progress.answers[trial], shown.right_index, stimulus.object_index));
     own.answers.back().trial_index = static_cast<int>(own.answers.size()) - 1;
   }
@@ -41,7 +41,7 @@ OwnTrials own_trials(const TrialRules& rules, const ParticipantProgress& progres
 Procedure staircases_at(const TrialRules& rules, int slot, const OwnTrials& own) {
   std::vector<StaircaseAnswer> answers;
   for (std::size_t i = 0; i < own.answers.size(); ++i) {
-    const auto stimulus = static_cast<std::size_t>(own.stimuli[i]);
+    const std::size_t stimulus = own.stimuli[i];
     answers.push_back(
         {.stimulus = own.stimuli[i],
          .correct = own.answers[i].chosen_index == rules.staircase->places[stimulus].object_index});
@@ -80,12 +80,11 @@ std::vector<int> order_of_repetitions(const TrialRules& rules, const OrderKey& k
   const std::vector<int>& own = rules.own_repetitions;
   const int most = own.empty() ? rules.repetitions : *std::max_element(own.begin(), own.end());
   for (int r = 0; r < most; ++r) {
-    const std::uint64_t seed =
-        r == 0 ? key.study_seed : mix_bits(key.study_seed ^ repetition_salt) + static_cast<std::uint64_t>(r);
+    const std::uint64_t seed = r == 0 ? key.study_seed : mix_bits(key.study_seed ^ repetition_salt) + r;
     const std::vector<int> once =
         stimulus_order(static_cast<int>(rules.stimuli.size()), {.study_seed = seed, .slot = key.slot});
     std::copy_if(once.begin(), once.end(), std::back_inserter(order),
-                 [&](int stimulus) { return own.empty() || r < own[static_cast<std::size_t>(stimulus)]; });
+                 [&](int stimulus) { return own.empty() || r < own[stimulus]; });
   }
   return order;
 }
@@ -93,7 +92,7 @@ std::vector<int> order_of_repetitions(const TrialRules& rules, const OrderKey& k
 }  // namespace
 
 std::uint64_t participant_seed(std::uint64_t study_seed, int slot) {
-  return Random(mix_bits(study_seed ^ quest_plus_salt), static_cast<std::uint64_t>(slot)).bits();
+  return Random(mix_bits(study_seed ^ quest_plus_salt), slot).bits();
 }
 
 TrialRules make_trial_rules(const RenderedSet& set) {

@@ -27,7 +27,7 @@ const TaskFacts& task_of(const TaskFacts& study, const OwnTasks& own, const Tria
 }
 
 std::shared_ptr<const TaskDefinition> task_of(const RenderedSet& set, const Trial& trial) {
-  const ManifestStimulus& record = set.manifest.stimuli.at(static_cast<std::size_t>(trial.stimulus));
+  const ManifestStimulus& record = set.manifest.stimuli.at(trial.stimulus);
   return stimuli::task_of(set.study, record.stimulus.condition);
 }
 
@@ -37,7 +37,7 @@ bool is_masked(const RenderedSet& set, const Trial& trial) {
 
 RightRule right_rule(const TaskFacts& task, std::uint64_t study_seed, int slot, OwnTasks own_tasks) {
   return {.task = task,
-          .seed = Random(mix_bits(study_seed ^ right_salt), static_cast<std::uint64_t>(slot)).bits(),
+          .seed = Random(mix_bits(study_seed ^ right_salt), slot).bits(),
           .own_tasks = std::move(own_tasks)};
 }
 
@@ -46,17 +46,16 @@ int right_index_of(const RightRule& rule, const Trial& trial, int trial_index) {
   const TaskFacts& task = task_of(rule.task, rule.own_tasks, trial);
   if (task.right_is_yes) return nothing ? 2 : 1;
   if (!task.draws_right || nothing) return 0;
-  Random random(rule.seed, static_cast<std::uint64_t>(trial_index));
-  return 1 + static_cast<int>(random.below(static_cast<std::uint64_t>(task.alternatives)));
+  Random random(rule.seed, trial_index);
+  return 1 + static_cast<int>(random.below(task.alternatives));
 }
 
 std::vector<Trial> shown_pictures(const TaskFacts& task, const Trial& trial) {
   const Trial own{.kind = trial.kind, .stimulus = trial.stimulus};
   if (task.compares) return {{.kind = TrialKind::reference, .stimulus = trial.stimulus}, own};
   if (!task.draws_right) return {own};
-  std::vector<Trial> shown(static_cast<std::size_t>(task.alternatives),
-                           {.kind = TrialKind::reference, .stimulus = trial.stimulus});
-  if (trial.right_index >= 1) shown.at(static_cast<std::size_t>(trial.right_index - 1)) = own;
+  std::vector<Trial> shown(task.alternatives, {.kind = TrialKind::reference, .stimulus = trial.stimulus});
+  if (trial.right_index >= 1) shown.at(trial.right_index - 1) = own;
   return shown;
 }
 

@@ -23,10 +23,10 @@ int lowest_free(std::span<const HeldSlot> held) {
 }
 
 int least_shared(int orders, std::span<const HeldSlot> held) {
-  std::vector<std::pair<int, int>> participants(static_cast<std::size_t>(orders));  // completed, unfinished
+  std::vector<std::pair<int, int>> participants(orders);  // completed, unfinished
   for (const HeldSlot& one : held) {
     if (one.slot >= orders) continue;
-    auto& [completed, unfinished] = participants[static_cast<std::size_t>(one.slot)];
+    auto& [completed, unfinished] = participants[one.slot];
     ++(one.completed ? completed : unfinished);
   }
   return static_cast<int>(std::min_element(participants.begin(), participants.end()) - participants.begin());
@@ -46,9 +46,9 @@ int slot_in_turn(int orders, int number) {
 
 std::vector<int> stimulus_order(int stimulus_count, const OrderKey& key) {
   assert(stimulus_count >= 0 && key.slot >= 0);
-  std::vector<int> order(static_cast<std::size_t>(stimulus_count));
+  std::vector<int> order(stimulus_count);
   std::iota(order.begin(), order.end(), 0);
-  Random random(mix_bits(key.study_seed ^ order_salt), static_cast<std::uint64_t>(key.slot));
+  Random random(mix_bits(key.study_seed ^ order_salt), key.slot);
   shuffle(std::span<int>(order), random);
   return order;
 }

@@ -20,10 +20,8 @@ std::vector<std::vector<int>> most_noticeable_first(const RenderedSet& set) {
   std::vector<std::vector<int>> by_artifact;
   std::map<Artifact, std::size_t> place;
   const int objects = objects_of(set.study);
-  const auto stimulus = [&](int index) -> const Stimulus& {
-    return set.manifest.stimuli[static_cast<std::size_t>(index)].stimulus;
-  };
-  for (int i = 0; i < static_cast<int>(set.manifest.stimuli.size()); ++i) {
+  const auto stimulus = [&](int index) -> const Stimulus& { return set.manifest.stimuli[index].stimulus; };
+  for (int i = 0; i < std::ssize(set.manifest.stimuli); ++i) {
     const auto [found, is_new] = place.insert({stimulus(i).artifact, by_artifact.size()});
     if (is_new) by_artifact.emplace_back();
     by_artifact[found->second].push_back(i);
@@ -46,8 +44,7 @@ std::vector<int> easiest(const RenderedSet& set, int wanted) {
   for (std::size_t round = 0;; ++round) {
     const std::size_t before = chosen.size();
     for (const std::vector<int>& stimuli : by_artifact)
-      if (round < stimuli.size() && static_cast<int>(chosen.size()) < wanted)
-        chosen.push_back(stimuli[round]);
+      if (round < stimuli.size() && std::ssize(chosen) < wanted) chosen.push_back(stimuli[round]);
     if (chosen.size() == before) return chosen;
   }
 }

@@ -14,7 +14,7 @@ namespace seamline::study {
 namespace {
 
 const ManifestStimulus& stimulus_of(const RenderedSet& set, const Trial& trial) {
-  return set.manifest.stimuli.at(static_cast<std::size_t>(trial.stimulus));
+  return set.manifest.stimuli.at(trial.stimulus);
 }
 
 /// A clip of the set, whose bytes are those that it was rendered with.

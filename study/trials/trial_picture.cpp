@@ -12,7 +12,7 @@ namespace seamline::study {
 namespace {
 
 const ManifestStimulus& record_of(const RenderedSet& set, const Trial& trial) {
-  return set.manifest.stimuli.at(static_cast<std::size_t>(trial.stimulus));
+  return set.manifest.stimuli.at(trial.stimulus);
 }
 
 const ManifestReference& scene_reference(const RenderedSet& set, const Trial& trial) {

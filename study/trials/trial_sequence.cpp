@@ -11,7 +11,7 @@ namespace {
 
 /// The catch trial that comes before the procedure's next trial, if one does.
 const CatchTrial* due_catch(const TrialSequence& trials) {
-  const auto next = static_cast<std::size_t>(trials.catches_answered);
+  const std::size_t next = trials.catches_answered;
   if (next >= trials.catches.size()) return nullptr;
   const CatchTrial& candidate = trials.catches[next];
   return candidate.after_stimulus_trials <= answered_trials(trials.procedure) ? &candidate : nullptr;
@@ -39,7 +39,7 @@ std::optional<Trial> trial_after_current(const TrialSequence& trials) {
     return current_trial(after);
   }
   if (!current_stimulus(trials.procedure)) return std::nullopt;
-  const auto next = static_cast<std::size_t>(trials.catches_answered);
+  const std::size_t next = trials.catches_answered;
   if (next < trials.catches.size() &&
       trials.catches[next].after_stimulus_trials <= answered_trials(trials.procedure) + 1) {
     Trial trial = trials.catches[next].trial;
@@ -61,7 +61,7 @@ TrialSequence after_answer(TrialSequence trials, const TrialAnswer& answer) {
   TrialAnswer own = answer;
   const auto place_answer = [&](const auto& adaptive) {
     const Trial trial = current_trial(trials).value();
-    const auto& place = adaptive.design->places[static_cast<std::size_t>(trial.stimulus)];
+    const auto& place = adaptive.design->places[trial.stimulus];
     own = placed_answer(own, trial.right_index, place.object_index);
   };
   std::visit(Overloaded{[](const ConstantProcedure&) {}, place_answer}, trials.procedure);

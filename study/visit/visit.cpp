@@ -76,10 +76,9 @@ void show_session(Visit& visit) {
 
 void after_training_stored(Visit& visit, const TrainingRecord& record) {
   visit.training = next(std::move(visit.training), AnswerStored{});
-  visit.screen = FeedbackScreen{
-      .trial = record.trial,
-      .chosen_index = record.answer.chosen_index,
-      .right_index = visit.script->training_right[static_cast<std::size_t>(record.answer.trial_index)]};
+  visit.screen = FeedbackScreen{.trial = record.trial,
+                                .chosen_index = record.answer.chosen_index,
+                                .right_index = visit.script->training_right[record.answer.trial_index]};
 }
 
 /// What was pending is stored.

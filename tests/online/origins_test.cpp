@@ -10,7 +10,7 @@
 #include "analysis/log_analysis/analysis.h"
 #include "analysis/log_analysis/report_numbers.h"
 #include "analysis/report/json/thresholds_json.h"
-#include "analysis/report/page/origins_section.h"
+#include "analysis/report/page/sections.h"
 #include "analysis/report/tables/all_tables.h"
 #include "analysis/report/tables/dictionary.h"
 #include "analysis/report/text/checks_text.h"

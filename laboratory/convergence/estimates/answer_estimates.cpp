@@ -1,5 +1,4 @@
 #include <cmath>
-#include <ctime>
 
 #include "analysis/psychometric/intervals/bootstrap_intervals.h"
 #include "analysis/psychometric/intervals/fit_intervals.h"
@@ -23,10 +22,6 @@ const study::PsychometricFunction true_function{.sigmoid = Sigmoid::normal,
                                                 .guess = 1.0 / 3,
                                                 .lapse = 0.02};
 
-double processor_seconds_of_answers() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
 /// Answers at the paper's seven widths.
 std::vector<LevelCounts> simulated_answers(std::int64_t trials_a_level, Random& random) {
   std::vector<LevelCounts> counts;
@@ -42,11 +37,11 @@ std::vector<LevelCounts> simulated_answers(std::int64_t trials_a_level, Random& 
 
 double evaluation_seconds(const PsychometricFit& fit) {
   constexpr int evaluations = 20000;
-  const double before = processor_seconds_of_answers();
+  const double before = processor_seconds();
   double sum = 0;
   for (int i = 0; i < evaluations; ++i)
     sum += analysis::log_likelihood(fit.search.problem, fit.search.best.theta, 0);
-  return (processor_seconds_of_answers() - before + (std::isnan(sum) ? 1 : 0)) / evaluations;
+  return (processor_seconds() - before + (std::isnan(sum) ? 1 : 0)) / evaluations;
 }
 
 }  // namespace
@@ -67,13 +62,13 @@ EstimateResult measure_fit(std::uint64_t seed) {
                             "search, which is steeper"};
   Progress progress("fit", 6);
   for (std::int64_t trials = 8; trials <= 8192; trials *= 4) {
-    Random random(seed, static_cast<std::uint64_t>(trials));
+    Random random(seed, trials);
     double squares = 0, seconds = 0;
     for (int i = 0; i < fits; ++i) {
       const std::vector<LevelCounts> counts = simulated_answers(trials, random);
-      const double before = processor_seconds_of_answers();
+      const double before = processor_seconds();
       const PsychometricFit fit = analysis::fit_psychometric(counts, analysis::options_for_alternatives(3));
-      seconds += processor_seconds_of_answers() - before;
+      seconds += processor_seconds() - before;
       const double octaves = std::log2(fit.function.threshold / true_function.threshold);
       squares += octaves * octaves;
       if (i == 0) result.limit.seconds_each = evaluation_seconds(fit);
@@ -110,11 +105,10 @@ EstimateResult measure_interval(std::uint64_t seed) {
   };
   for (int replicates = 50; replicates <= 3200; replicates *= 4) {
     double squares = 0;
-    const double before = processor_seconds_of_answers();
+    const double before = processor_seconds();
     for (int i = 0; i < repeats; ++i) squares += error_of(ends_of(replicates, static_cast<std::uint64_t>(i)));
     result.rows.push_back({"bootstrap", static_cast<double>(replicates),
-                           (processor_seconds_of_answers() - before) / repeats,
-                           std::sqrt(squares / repeats)});
+                           (processor_seconds() - before) / repeats, std::sqrt(squares / repeats)});
     progress.advance(1, "replicates");
   }
   return result;

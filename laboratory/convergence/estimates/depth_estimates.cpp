@@ -1,6 +1,5 @@
 #include <array>
 #include <cmath>
-#include <ctime>
 #include <span>
 
 #include "laboratory/convergence/estimates/estimates.h"
@@ -13,10 +12,6 @@ namespace seamline::renderer {
 namespace {
 
 constexpr int depth_width_px = 160, depth_height_px = 120;
-
-double processor_seconds_of_depth() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
 
 /// A wall 2 m away whose left half comes nearer towards the edge, seen head on by light of its own.
 sensors::SeenFrame two_walls() {
@@ -53,13 +48,13 @@ double depth_rms_m(const sensors::DepthFrame& frame, const sensors::DepthFrame& 
 double copy_seconds(const sensors::DepthFrame& frame) {
   constexpr int copies = 2000;
   std::vector<float> to(frame.depth_m.size());
-  const double before = processor_seconds_of_depth();
+  const double before = processor_seconds();
   float kept = 0;
   for (int i = 0; i < copies; ++i) {
     std::copy(frame.depth_m.begin(), frame.depth_m.end(), to.begin());
-    kept += to[static_cast<std::size_t>(i)];
+    kept += to[i];
   }
-  return (processor_seconds_of_depth() - before + (std::isnan(kept) ? 1 : 0)) / copies;
+  return (processor_seconds() - before + (std::isnan(kept) ? 1 : 0)) / copies;
 }
 
 struct NamedNoise {
@@ -84,20 +79,20 @@ EstimateResult measure_sensor(std::uint64_t seed) {
       .limit = {.what = "one pass over memory", .seconds_each = 0},
       .expected = -0.5,
       .why = "frames of independent noise; steps wider than the noise leave an error that no mean takes off"};
-  Progress progress("sensor", static_cast<double>(models.size()));
+  Progress progress("sensor", models.size());
   for (const auto& [name, model] : models) {
     const sensors::DepthFrame truth = sensors::true_depth(seen, sensors::convention_of(model));
     result.limit.seconds_each = copy_seconds(truth);
     for (int frames = 1; frames <= 256; frames *= 4) {
-      const double before = processor_seconds_of_depth();
+      const double before = processor_seconds();
       std::vector<sensors::DepthFrame> taken;
       for (int frame = 0; frame < frames; ++frame)
         taken.push_back(
             sensors::measure(seen, model, {.seed = seed, .frame = static_cast<std::uint64_t>(frame)}, 1, 1)
                 .frame);
       const sensors::DepthFrame mean = sensors::mean_of_frames(taken, "sensor", 1);
-      result.rows.push_back({name, static_cast<double>(frames), processor_seconds_of_depth() - before,
-                             depth_rms_m(mean, truth)});
+      result.rows.push_back(
+          {name, static_cast<double>(frames), processor_seconds() - before, depth_rms_m(mean, truth)});
     }
     progress.advance(1, name);
   }
@@ -127,11 +122,11 @@ EstimateResult measure_repair(std::uint64_t seed) {
                             "what is flat"};
   const auto add = [&](const std::string& name, double amount, const sensors::RepairMethod& method) {
     constexpr int repeats = 3;
-    const double before = processor_seconds_of_depth();
+    const double before = processor_seconds();
     sensors::Repaired repaired;
     for (int i = 0; i < repeats; ++i) repaired = sensors::repair(measured, method, &photograph, 1);
-    result.rows.push_back({name, amount, (processor_seconds_of_depth() - before) / repeats,
-                           depth_rms_m(repaired.frame, truth)});
+    result.rows.push_back(
+        {name, amount, (processor_seconds() - before) / repeats, depth_rms_m(repaired.frame, truth)});
   };
   add("none", 1, sensors::NoRepair{});
   add("nearest, holes filled", 1, sensors::NearestRepair{});

@@ -1,10 +1,16 @@
 #pragma once
 #include <cstdint>
+#include <ctime>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace seamline::renderer {
+
+/// Of all threads since the program began: what other programs take meanwhile is not in it.
+[[nodiscard]] inline double processor_seconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
 
 /// One estimate that got so much to work with: frames, answers, replicates, a radius.
 struct EstimateRow {

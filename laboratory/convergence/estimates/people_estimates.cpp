@@ -1,6 +1,5 @@
 #include <array>
 #include <cmath>
-#include <ctime>
 
 #include "analysis/foresight/plan_study.h"
 #include "analysis/joint/joint_fit.h"
@@ -19,10 +18,6 @@ constexpr int objects_a_level = 3;
 const JointCurve true_curve{
     .m = 0, .s = 1.1, .lapse = 0.02, .t = {0.2, 0.9, 1.7}, .rho = 0.9, .g = {0.7, 0.2, 0.06, 0.04}};
 
-double processor_seconds_of_people() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
 /// What people answer to four artifacts at the paper's seven widths, who all have the same curves.
 JointData simulated_ratings(int people, Random& random) {
   JointData data;
@@ -37,7 +32,7 @@ JointData simulated_ratings(int people, Random& random) {
   data.references = Eigen::MatrixXd::Zero(people, data.ratings);
   for (std::size_t cell = 0; cell < data.cells.size(); ++cell) {
     JointCurve curve = true_curve;
-    curve.m = true_thresholds[static_cast<std::size_t>(data.cells[cell].curve)];
+    curve.m = true_thresholds[data.cells[cell].curve];
     const Eigen::VectorXd shares =
         analysis::outcome_probabilities(curve, data.cells[cell].x, data.cells[cell].chance);
     for (Eigen::Index person = 0; person < people; ++person)
@@ -54,10 +49,10 @@ JointData simulated_ratings(int people, Random& random) {
 double likelihood_seconds(const analysis::JointFit& fit, const JointData& data) {
   constexpr int evaluations = 2000;
   const analysis::JointCounts counts = analysis::all_counts(data);
-  const double before = processor_seconds_of_people();
+  const double before = processor_seconds();
   double sum = 0;
   for (int i = 0; i < evaluations; ++i) sum += analysis::joint_log_likelihood(fit.model, counts, fit.theta);
-  return (processor_seconds_of_people() - before + (std::isnan(sum) ? 1 : 0)) / evaluations;
+  return (processor_seconds() - before + (std::isnan(sum) ? 1 : 0)) / evaluations;
 }
 
 /// The share of simulated studies whose intervals are all short enough, of the study's own levels.
@@ -86,13 +81,13 @@ EstimateResult measure_joint(std::uint64_t seed) {
                         .why = "independent answers"};
   Progress progress("joint", 5);
   for (int people = 4; people <= 1024; people *= 4) {
-    Random random(seed, static_cast<std::uint64_t>(people));
+    Random random(seed, people);
     double squares = 0, seconds = 0, found = 0;
     for (int i = 0; i < fits; ++i) {
       const JointData data = simulated_ratings(people, random);
-      const double before = processor_seconds_of_people();
+      const double before = processor_seconds();
       const analysis::JointFit fit = analysis::fit_joint(data);
-      seconds += processor_seconds_of_people() - before;
+      seconds += processor_seconds() - before;
       if (!fit.estimated()) continue;
       for (std::size_t curve = 0; curve < true_thresholds.size(); ++curve) {
         const double off =
@@ -126,12 +121,12 @@ EstimateResult measure_plan(const std::filesystem::path& study_file, std::uint64
   const double truth = assurance_of(study_file, many_studies, seed + 1000);
   for (int studies = 5; studies <= 80; studies *= 4) {
     double squares = 0;
-    const double before = processor_seconds_of_people();
+    const double before = processor_seconds();
     for (std::uint64_t i = 0; i < repeats; ++i) {
       const double off = assurance_of(study_file, studies, seed + i) - truth;
       squares += off * off;
     }
-    const double seconds = (processor_seconds_of_people() - before) / repeats;
+    const double seconds = (processor_seconds() - before) / repeats;
     result.limit.seconds_each = seconds / studies;
     result.rows.push_back(
         {"joint model", static_cast<double>(studies), seconds, std::sqrt(squares / repeats)});

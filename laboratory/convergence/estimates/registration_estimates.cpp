@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 
 #include "laboratory/convergence/estimates/estimates.h"
 #include "registration/mesh/register_by_mesh.h"
@@ -11,10 +10,6 @@ namespace {
 
 constexpr double bulge = 0.25, bulge_distance_m = 2;  ///< of the surface z = 2 + x^2 / 4 + y / 10
 constexpr double tilt = 0.1;
-
-double processor_seconds_of_registration() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
 
 /// Where a ray through (x, y, 1) from (from_m, 0, 0) meets the surface, as its z.
 double depth_of_bulge(double from_m, const Eigen::Vector3d& through) {
@@ -68,11 +63,11 @@ EstimateResult measure_registration() {
           "the mesh's chords leave the square of their length; a point lies anywhere in a pixel of the "
           "photograph, however many there are, so theirs stays"};
   const auto add = [&](const std::string& name, const sensors::DepthFrame& measured, const auto& method) {
-    const double before = processor_seconds_of_registration();
+    const double before = processor_seconds();
     registration::RegisteredFrame found;
     for (int i = 0; i < repeats; ++i) found = method(measured);
     result.rows.push_back({name, static_cast<double>(measured.camera.width_px),
-                           (processor_seconds_of_registration() - before) / repeats,
+                           (processor_seconds() - before) / repeats,
                            rms_of_registered_m(found.frame, truth)});
   };
   for (int width_px = 40; width_px <= 640; width_px *= 2)
@@ -85,14 +80,13 @@ EstimateResult measure_registration() {
     });
   constexpr int copies = 500;
   std::vector<float> to(truth.depth_m.size());
-  const double before = processor_seconds_of_registration();
+  const double before = processor_seconds();
   float kept = 0;
   for (int i = 0; i < copies; ++i) {
     std::copy(truth.depth_m.begin(), truth.depth_m.end(), to.begin());
-    kept += to[static_cast<std::size_t>(i)];
+    kept += to[i];
   }
-  result.limit.seconds_each =
-      (processor_seconds_of_registration() - before + (std::isnan(kept) ? 1 : 0)) / copies;
+  result.limit.seconds_each = (processor_seconds() - before + (std::isnan(kept) ? 1 : 0)) / copies;
   return result;
 }
 

@@ -167,10 +167,9 @@ std::int64_t copy_person(SQLite::Database& from, EnteredLog& into, const PersonF
       stop_if_interrupted();
       const std::int64_t old_key = table.own_key ? std::get<std::int64_t>(copied[0]) : 0;
       const bool is_session = table.session_column == 0 && table.own_key;
-      if (table.participant_column >= 0)
-        copied[static_cast<std::size_t>(table.participant_column)] = participant;
+      if (table.participant_column >= 0) copied[table.participant_column] = participant;
       if (table.session_column >= 0 && !is_session) {
-        LogValue& session = copied[static_cast<std::size_t>(table.session_column)];
+        LogValue& session = copied[table.session_column];
         session = session_of.at(std::get<std::int64_t>(session));
       }
       if (table.own_key) copied[0] = {};

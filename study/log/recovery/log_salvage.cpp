@@ -68,7 +68,7 @@ class TableReader {
 
   void keep(LogRow row) {
     stop_if_interrupted();
-    const auto end_of_key = row.begin() + static_cast<std::ptrdiff_t>(table_.key.size());
+    const auto end_of_key = row.begin() + table_.key.size();
     LogRow key(row.begin(), end_of_key);
     row.erase(row.begin(), end_of_key);
     rows_.emplace(std::move(key), std::move(row));

@@ -50,7 +50,7 @@ RenderedSet unrendered_set(const fs::path& file) {
 }
 
 AskJson question_of(const RenderedSet& set, const Trial& trial, int index, int most) {
-  const ManifestStimulus& shown = set.manifest.stimuli.at(static_cast<std::size_t>(trial.stimulus));
+  const ManifestStimulus& shown = set.manifest.stimuli.at(trial.stimulus);
   AskJson question = {{"type", "question"},
                       {"trial_index", index},
                       {"most_trials", most},

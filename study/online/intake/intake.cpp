@@ -261,7 +261,7 @@ std::optional<std::pair<int, Trial>> Intake::next_trial(const std::string& code)
   if (who.stored.place.completed) return std::nullopt;
   const std::optional<Trial> due = current_trial(sequence_of(who));
   if (!due) return std::nullopt;
-  if (static_cast<int>(who.stored.place.trials.size()) <= who.stored.place.answered)
+  if (std::ssize(who.stored.place.trials) <= who.stored.place.answered)
     log_.append_trials(who.stored, std::span<const Trial>(&*due, 1));
   return std::pair(who.stored.place.answered, *due);
 }
@@ -284,8 +284,8 @@ int Intake::attention_right(const std::string& code) {
   const OpenSession& place = person(code).stored.place;
   int right = 0;
   for (const TrialAnswer& answer : place.answers) {
-    const Trial& trial = place.trials.at(static_cast<std::size_t>(answer.trial_index));
-    const ManifestStimulus& shown = set_.manifest.stimuli.at(static_cast<std::size_t>(trial.stimulus));
+    const Trial& trial = place.trials.at(answer.trial_index);
+    const ManifestStimulus& shown = set_.manifest.stimuli.at(trial.stimulus);
     const int wanted = trial.right_index != 0 ? trial.right_index : shown.stimulus.object_index;
     if (trial.kind == TrialKind::attention && answer.chosen_index == wanted) ++right;
   }

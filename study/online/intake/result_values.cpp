@@ -57,8 +57,7 @@ std::size_t ResultValues::next_message(std::size_t from) {
 }
 
 void ResultValues::pass(std::size_t end) {
-  const auto lines = std::count(bytes_.begin() + static_cast<std::ptrdiff_t>(at_),
-                                bytes_.begin() + static_cast<std::ptrdiff_t>(end), '\n');
+  const auto lines = std::count(bytes_.begin() + at_, bytes_.begin() + end, '\n');
   if (lines > 0) value_in_line_ = 0;
   line_ += static_cast<int>(lines);
   at_ = end;

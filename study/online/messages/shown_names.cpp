@@ -19,7 +19,7 @@ ShownNames::ShownNames(const RenderedSet& set)
       key_(sha256("seamline shown names 1\n" + read_file(set.folder / "manifest.json"))) {}
 
 const std::string& ShownNames::id_of(const Trial& trial) const {
-  return manifest_.stimuli.at(static_cast<std::size_t>(trial.stimulus)).id;
+  return manifest_.stimuli.at(trial.stimulus).id;
 }
 
 std::string ShownNames::name_of(const Trial& trial) const {

@@ -73,7 +73,7 @@ class ValueBuilder {
   }
   bool add(JsonValue value) { return place(std::move(value)) != nullptr; }
   bool open(JsonValue::Kind kind) {
-    if (static_cast<int>(open_.size()) >= deepest_) return fail("too many levels");
+    if (std::ssize(open_) >= deepest_) return fail("too many levels");
     JsonValue* opened = place({.kind = kind});
     if (opened == nullptr) return false;
     open_.push_back(opened);  // nothing is added beside it while it is open, so it stays where it is

@@ -18,7 +18,7 @@ namespace seamline::study::online {
 namespace {
 
 const ManifestStimulus& record_at(const RenderedSet& set, int stimulus) {
-  return set.manifest.stimuli.at(static_cast<std::size_t>(stimulus));
+  return set.manifest.stimuli.at(stimulus);
 }
 
 std::string checked_bytes(const RenderedSet& set, const ManifestPicture& picture) {
@@ -105,10 +105,10 @@ std::vector<Trial> every_trial(const RenderedSet& set, const ShownNames& names) 
     for (const TaskGroup& group : task_groups(set.study))
       beside = beside || shows_references(facts_of(group.task.get()));
     if (kind == TrialKind::reference && set.study.catches.reference == 0 && !beside) continue;
-    for (int i = 0; i < static_cast<int>(set.manifest.stimuli.size()); ++i)
+    for (int i = 0; i < std::ssize(set.manifest.stimuli); ++i)
       trials.push_back({.kind = kind, .stimulus = i});
   }
-  for (int i = 0; i < static_cast<int>(set.manifest.stimuli.size()); ++i)
+  for (int i = 0; i < std::ssize(set.manifest.stimuli); ++i)
     if (const Trial mask{.kind = TrialKind::mask, .stimulus = i}; is_masked(set, mask))
       trials.push_back(mask);
   std::sort(trials.begin(), trials.end(),

@@ -38,7 +38,7 @@ Json trial_json(const WebParts& parts, const Trial& trial) {
   const LevelLadders* ladders = parts.rules.ladders.get();
   const std::vector<Trial> shown = ladders != nullptr ? pictures_of_ladder(*ladders, trial)
                                                       : shown_pictures(parts.rules.task_of(trial), trial);
-  if (!parts.own_task.empty()) json["task"] = parts.own_task.at(static_cast<std::size_t>(trial.stimulus));
+  if (!parts.own_task.empty()) json["task"] = parts.own_task.at(trial.stimulus);
   const Trial mask{.kind = TrialKind::mask, .stimulus = trial.stimulus};
   if (const auto found = parts.pictures.file.find({mask.kind, mask.stimulus});
       found != parts.pictures.file.end())
@@ -47,7 +47,7 @@ Json trial_json(const WebParts& parts, const Trial& trial) {
     json["briefing"] = parts.briefed->at(static_cast<std::size_t>(trial.stimulus));
   if (shown.size() < 2) return json;
   if (ladders != nullptr) {
-    json["start"] = ladders->places.at(static_cast<std::size_t>(trial.stimulus)).rung;
+    json["start"] = ladders->places.at(trial.stimulus).rung;
     json["names"] = Json::array();
     for (const Trial& one : shown) json["names"].push_back(parts.names.name_of(one));
   }
@@ -244,7 +244,7 @@ void add_looks(const WebStudy& web, Json& json) {
   Json looks = Json::array();
   std::map<std::string, Json> of_name;
   for (const auto& [shown, file] : web.pictures.file) {
-    const Stimulus& stimulus = web.set.manifest.stimuli.at(static_cast<std::size_t>(shown.second)).stimulus;
+    const Stimulus& stimulus = web.set.manifest.stimuli.at(shown.second).stimulus;
     const LookDefinition& look = *look_of(study, stimulus.condition);
     Json one = look_json(look, start_deg(look, study, stimulus.scene));
     auto known = std::find(looks.begin(), looks.end(), one);

@@ -153,7 +153,7 @@ MHD_Result HttpServer::State::proceed(MHD_Connection* connection, Exchange& exch
                                       std::size_t* bytes) {
   HttpRequest& request = exchange.request;
   if (*bytes > 0) {
-    const auto more = static_cast<std::int64_t>(*bytes);
+    const std::int64_t more = *bytes;
     if (static_cast<std::int64_t>(request.body.size()) + more > request.head.content_bytes) return MHD_NO;
     exchange.held_bytes += more;
     if (bodies_bytes.fetch_add(more) + more > limits.bodies_bytes) return MHD_NO;  // sent again later

@@ -39,7 +39,7 @@ void check_same_study(const ServeRequest& request, const SiteFiles& site, const 
                        .found = std::to_string(site.slots)});
   // Ids of the set name the inserted object, and the server does not know them.
   const ShownNames names(set);
-  for (int i = 0; i < static_cast<int>(set.manifest.stimuli.size()); ++i)
+  for (int i = 0; i < std::ssize(set.manifest.stimuli); ++i)
     if (!site.picture_of.contains("stimulus " + names.name_of({.stimulus = i})))
       throw input_error({.file = (request.folder / "study.json").string(),
                          .field = "stimuli",
