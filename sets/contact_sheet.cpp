@@ -33,7 +33,7 @@ struct PixelBox {
 int difference_at(const ByteImage& a, const ByteImage& b, int x, int y) {
   int largest = 0;
   for (int c = 0; c < 3; ++c) {
-    const std::size_t i = grid_index(y, x, a.width_px) * 3 + static_cast<std::size_t>(c);
+    const std::size_t i = grid_index(y, x, a.width_px) * 3 + c;
     largest = std::max(largest, std::abs(int{a.values[i]} - int{b.values[i]}));
   }
   return largest;
@@ -62,20 +62,18 @@ PixelBox artifact_window(const ByteImage& stimulus, const ByteImage& reference) 
   const int width = stimulus.width_px, height = stimulus.height_px;
   const int window_width = std::max(8, width / 3),
             window_height = std::min(height, window_width * cell_height_px / cell_width_px);
-  const std::size_t stride = static_cast<std::size_t>(width) + 1;
-  std::vector<double> integral(stride * (static_cast<std::size_t>(height) + 1), 0.0);
+  const std::size_t stride = width + 1;
+  std::vector<double> integral(stride * (height + 1), 0.0);
   for (int y = 0; y < height; ++y) {
     double row = 0;
     for (int x = 0; x < width; ++x) {
       const int difference = difference_at(stimulus, reference, x, y);
       row += difference > 12 ? difference : 0;
-      const std::size_t i = (static_cast<std::size_t>(y) + 1) * stride + static_cast<std::size_t>(x) + 1;
+      const std::size_t i = (y + 1) * stride + x + 1;
       integral[i] = integral[i - stride] + row;
     }
   }
-  const auto sum_to = [&](int x, int y) {
-    return integral[static_cast<std::size_t>(y) * stride + static_cast<std::size_t>(x)];
-  };
+  const auto sum_to = [&](int x, int y) { return integral[y * stride + x]; };
   PixelBox best{0, 0, window_width, window_height};
   double most = -1;
   for (int y = 0; y + window_height <= height; y += 2)
@@ -103,9 +101,8 @@ void place(const ByteImage& from, const PixelBox& window, ByteImage& sheet, int 
         const int y1 = std::max(y0 + 1, window.top + static_cast<int>((y + 1) * step_y));
         int sum = 0;
         for (int v = y0; v < y1; ++v)
-          for (int u = x0; u < x1; ++u)
-            sum += from.values[grid_index(v, u, from.width_px) * 3 + static_cast<std::size_t>(c)];
-        const std::size_t i = grid_index(top + y, left + x, sheet.width_px) * 3 + static_cast<std::size_t>(c);
+          for (int u = x0; u < x1; ++u) sum += from.values[grid_index(v, u, from.width_px) * 3 + c];
+        const std::size_t i = grid_index(top + y, left + x, sheet.width_px) * 3 + c;
         sheet.values[i] = static_cast<std::uint8_t>(sum / ((x1 - x0) * (y1 - y0)));
       }
 }

@@ -64,7 +64,7 @@ void PanoramaView::prepare() {
     std::string said(500, '\0');
     GLsizei length = 0;
     glGetProgramInfoLog(program_, static_cast<GLsizei>(said.size()), &length, said.data());
-    said.resize(static_cast<std::size_t>(length));
+    said.resize(length);
     throw input_error({.field = "display",
                        .wanted = "OpenGL 3 with its shaders, which views of panoramas need",
                        .found = printable(said, 200)});

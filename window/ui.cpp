@@ -27,7 +27,7 @@ void Ui::move_focus(int step) {
       std::find_if(last_items_.begin(), last_items_.end(), [&](const UiItem& i) { return i.id == focus_; });
   int next = step > 0 ? 0 : count - 1;
   if (at != last_items_.end()) next = (static_cast<int>(at - last_items_.begin()) + step + count) % count;
-  const UiItem& wanted = last_items_[static_cast<std::size_t>(next)];
+  const UiItem& wanted = last_items_[next];
   focus_ = wanted.id;
   changed_ = true;
   // What has the focus is in view.

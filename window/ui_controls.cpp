@@ -101,7 +101,7 @@ int Ui::choice(const std::string& id, std::span<const std::string> options, int 
     }
   }
   for (int i = 0; i < count; ++i) {
-    const Rect& rect = rects[static_cast<std::size_t>(i)];
+    const Rect& rect = rects[i];
     const bool hovered = rect.contains(input_.mouse);
     const std::string option_id = fmt::format("{}/{}", id, i);
     if (input_.mouse_pressed && hovered) {
@@ -112,8 +112,8 @@ int Ui::choice(const std::string& id, std::span<const std::string> options, int 
     const bool on = chosen == i;
     canvas_.fill(rect, on ? look::chosen : hovered ? look::control_hover : look::control, corner_px);
     canvas_.outline(rect, on ? look::chosen : look::control_edge, 1, corner_px);
-    canvas_.text(font, centred(canvas_, font, options[static_cast<std::size_t>(i)], rect),
-                 options[static_cast<std::size_t>(i)], on ? look::ink_on_chosen : look::ink);
+    canvas_.text(font, centred(canvas_, font, options[i], rect), options[i],
+                 on ? look::ink_on_chosen : look::ink);
   }
   if (focused) ring(all);
   acts(chosen != before);

@@ -96,7 +96,7 @@ std::string X3dTextures::texture(const ByteImage& picture, const std::string& na
 }
 
 Eigen::Vector2d tangents_of(const Camera& camera) {
-  const double across = static_cast<double>(camera.tan_half_horizontal);
+  const double across = camera.tan_half_horizontal;
   return {across, across * camera.height_px / camera.width_px};
 }
 

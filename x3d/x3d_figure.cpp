@@ -87,8 +87,8 @@ X3dFigure x3d_figure(const X3dSubject& subject, std::span<const std::vector<floa
   for (const FigureJoint& joint : figure.joints) bound.push_back(*similarity_of(to_x3d * joint.bound));
   for (std::size_t j = 0; j < figure.joints.size(); ++j) {
     const FigureJoint& joint = figure.joints[j];
-    const Similarity above = joint.parent >= 0 ? bound[static_cast<std::size_t>(joint.parent)]
-                                               : *similarity_of(subject.x3d_from_figure * figure.above_root);
+    const Similarity above =
+        joint.parent >= 0 ? bound[joint.parent] : *similarity_of(subject.x3d_from_figure * figure.above_root);
     X3dJoint& to = out.joints.emplace_back();
     to.name = names[j];
     to.parent = joint.parent;

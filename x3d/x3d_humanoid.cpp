@@ -36,11 +36,9 @@ class HumanoidText {
   explicit HumanoidText(const X3dFigure& figure)
       : figure_(figure), holds_(figure.joints.size()), children_(figure.joints.size()) {
     for (std::size_t j = 0; j < figure.joints.size(); ++j)
-      if (figure.joints[j].parent >= 0)
-        children_[static_cast<std::size_t>(figure.joints[j].parent)].push_back(j);
+      if (figure.joints[j].parent >= 0) children_[figure.joints[j].parent].push_back(j);
     for (std::size_t v = 0; v < figure.held_by.size(); ++v)
-      for (const auto& [joint, weight] : figure.held_by[v])
-        holds_[static_cast<std::size_t>(joint)].emplace_back(v, weight);
+      for (const auto& [joint, weight] : figure.held_by[v]) holds_[joint].emplace_back(v, weight);
   }
 
   [[nodiscard]] std::string joint(std::size_t number) const {

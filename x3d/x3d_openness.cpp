@@ -42,13 +42,13 @@ std::vector<std::vector<float>> x3d_openness(const X3dSubject& subject, int thre
     const std::vector<Eigen::Vector3f> normals = vertex_normals(mesh);
     std::vector<float>& open = openness.emplace_back(mesh.positions_m.size());
     parallel_for(static_cast<int>(open.size()), threads, [&](int v) {
-      const auto at = static_cast<std::size_t>(v);
+      const std::size_t at = v;
       const Eigen::Vector3f start_m = mesh.positions_m[at] + start_share * size_m * normals[at];
       std::array<Ray, rays_a_vertex> far, near;
       for (int i = 0; i < rays_a_vertex; ++i) {
         const Eigen::Array2f point = Sampler(1, v, static_cast<int>(m), i).point(dimension::direction(0));
         const Eigen::Vector3f direction = cosine_weighted(normals[at], point);
-        const auto number = static_cast<std::size_t>(i);
+        const std::size_t number = i;
         far[number] = {start_m, direction, sky_m};
         near[number] = {start_m, direction, reach_m};
       }

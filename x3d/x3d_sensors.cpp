@@ -46,14 +46,13 @@ std::string image_text(int width_px, int height_px, int components, PixelValue v
   std::string text = fmt::format("{} {} {}", width_px, height_px, components);
   for (int row = height_px - 1; row >= 0; --row)
     for (int column = 0; column < width_px; ++column)
-      fmt::format_to(std::back_inserter(text), " 0x{:X}", valuegrid_index(row, column, width_px));
+      fmt::format_to(std::back_inserter(text), " 0x{:X}", value(grid_index(row, column, width_px)));
   return text;
 }
 
 std::uint32_t millimetres(float planar_m) {
   if (DepthFrame::is_hole(planar_m)) return 0;
-  return static_cast<std::uint32_t>(
-      std::clamp(std::round(1000.0 * static_cast<double>(planar_m)), 1.0, 65535.0));
+  return static_cast<std::uint32_t>(std::clamp(std::round(1000.0 * planar_m), 1.0, 65535.0));
 }
 
 std::vector<ProtoField> depth_sensor(const X3dRecording& recording) {

@@ -143,9 +143,8 @@ X3dSubject subject_of_set(const X3dRequest& request) {
   subject.exposure_ev = scene.definition.exposure_ev;
   subject.albedo = scene.definition.albedo;
   subject.light = scene.light;
-  subject.objects = scene.objects.at(static_cast<std::size_t>(stimulus.object_index - 1));
-  const ObjectDefinition& object =
-      scene.definition.objects.at(static_cast<std::size_t>(stimulus.object_index - 1));
+  subject.objects = scene.objects.at(stimulus.object_index - 1);
+  const ObjectDefinition& object = scene.definition.objects.at(stimulus.object_index - 1);
   take_figure(
       {.path = object.path,
        .materials = scene.definition.materials,

@@ -18,6 +18,7 @@
 #include "composites/place/place_input.h"
 #include "composites/place/place_page.h"
 #include "composites/place_preview.h"
+#include "support/arithmetic/grid_index.h"
 #include "support/running/interrupt.h"
 #include "support/running/parallel.h"
 #include "support/text/error.h"
@@ -43,10 +44,10 @@ void mark_floor(const std::vector<std::uint8_t>& lines, int width_px, int height
   for (int y = 0; y < picture.height_px; ++y)
     for (int x = 0; x < picture.width_px; ++x) {
       const int row = y * height_px / picture.height_px, column = x * width_px / picture.width_px;
-      if (lines[static_cast<std::size_t>(row * width_px + column)] == 0) continue;
+      if (lines[grid_index(row, column, width_px)] == 0) continue;
       for (int c = 0; c < 3; ++c) {
-        std::uint8_t& code = picture.values[static_cast<std::size_t>((y * picture.width_px + x) * 3 + c)];
-        code = static_cast<std::uint8_t>((code + green[static_cast<std::size_t>(c)]) / 2);
+        std::uint8_t& code = picture.values[grid_index(y, x, picture.width_px) * 3 + c];
+        code = static_cast<std::uint8_t>((code + green[c]) / 2);
       }
     }
 }

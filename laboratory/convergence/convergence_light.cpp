@@ -64,7 +64,7 @@ class Sampling {
     RowQuestions questions;
     for (std::size_t x = 0; x < width; ++x) {
       if (!hits[x]) continue;
-      const std::size_t pixel = static_cast<std::size_t>(first.y) * width + x;
+      const std::size_t pixel = first.y * width + x;
       out.shows_surface[pixel] = 1;
       for (int ray = 0; ray < rays; ++ray)
         ask(*hits[x],

@@ -1,4 +1,5 @@
 #include "live/frame/caster_blocks.h"
+#include "support/arithmetic/grid_index.h"
 
 #include <algorithm>
 #include <limits>
@@ -22,27 +23,23 @@ CasterBlocks::CasterBlocks(const renderer::ShadowMap& map)
   const Eigen::Array2f size_px(static_cast<float>(map.depth.width_px),
                                static_cast<float>(map.depth.height_px));
   blocks_per_unit_ = size_px / (map.view.size * static_cast<float>(block_px));
-  const auto width = static_cast<std::size_t>(width_);
-  std::vector<std::uint8_t> filled(width * static_cast<std::size_t>(height_), 0);
+  std::vector<std::uint8_t> filled(width_ * static_cast<std::size_t>(height_), 0);
   for (int y = 0; y < map.depth.height_px; ++y) {
-    const float* row =
-        &map.depth.depth_m[static_cast<std::size_t>(y) * static_cast<std::size_t>(map.depth.width_px)];
+    const float* row = &map.depth.depth_m[grid_index(y, 0, map.depth.width_px)];
     for (int x = 0; x < map.depth.width_px; x += block_px) {
       const int end = std::min(x + block_px, map.depth.width_px);
       const bool any = std::any_of(
           row + x, row + end, [](float depth_m) { return depth_m < std::numeric_limits<float>::infinity(); });
-      if (any)
-        filled[static_cast<std::size_t>(y / block_px + 1) * width +
-               static_cast<std::size_t>(x / block_px + 1)] = 1;
+      if (any) filled[grid_index(y / block_px + 1, x / block_px + 1, width_)] = 1;
     }
   }
   has_.assign(filled.size(), 0);
   for (int y = 0; y < height_; ++y)
     for (int x = 0; x < width_; ++x) {
-      if (filled[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)] == 0) continue;
+      if (filled[grid_index(y, x, width_)] == 0) continue;
       for (int beside_y = std::max(y - 1, 0); beside_y <= std::min(y + 1, height_ - 1); ++beside_y)
         for (int beside_x = std::max(x - 1, 0); beside_x <= std::min(x + 1, width_ - 1); ++beside_x)
-          has_[static_cast<std::size_t>(beside_y) * width + static_cast<std::size_t>(beside_x)] = 1;
+          has_[grid_index(beside_y, beside_x, width_)] = 1;
     }
 }
 

@@ -81,9 +81,8 @@ class Darkening {
 
   void darken_row(int y) {
     const int width_px = eye_.codes.width_px;
-    std::vector<std::uint64_t> marks(static_cast<std::size_t>(width_px), windows_.empty() ? all_lights() : 0);
-    const float* depth_m =
-        &eye_.real.depth_m[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px)];
+    std::vector<std::uint64_t> marks(width_px, windows_.empty() ? all_lights() : 0);
+    const float* depth_m = &eye_.real.depth_m[grid_index(y, 0, width_px)];
     for (std::size_t i = 0; i < std::min(lights_, windows_.size()); ++i) {
       const Window& window = windows_[i];
       mark_row(window,

@@ -19,7 +19,7 @@ DepthPoints::DepthPoints(const sensors::DepthFileForm& form, const Eigen::Isomet
     : width_px_(form.camera.width_px),
       height_px_(form.camera.height_px),
       colour_from_depth_(colour_from_depth) {
-  metre_of_pixel_.resize(static_cast<std::size_t>(width_px_) * static_cast<std::size_t>(height_px_));
+  metre_of_pixel_.resize(width_px_ * static_cast<std::size_t>(height_px_));
   run_parallel(height_px_, threads, [&](int row) {
     for (int column = 0; column < width_px_; ++column) {
       auto direction = sensors::direction_through(form.camera, {column + 0.5, row + 0.5});
@@ -34,8 +34,8 @@ void PointRegistration::operator()(const DepthPoints& points, const std::vector<
   landings_.resize(depth_m.size());
   const double width = view_.width_px, height = view_.height_px;
   run_parallel(points.height_px(), threads, [&](int row) {
-    const std::size_t first = static_cast<std::size_t>(row) * static_cast<std::size_t>(points.width_px());
-    for (std::size_t i = first; i < first + static_cast<std::size_t>(points.width_px()); ++i) {
+    const std::size_t first = grid_index(row, 0, points.width_px());
+    for (std::size_t i = first; i < first + points.width_px(); ++i) {
       landings_[i].pixel = outside;
       if (sensors::DepthFrame::is_hole(depth_m[i]) || !points.has_ray(i)) continue;
       const Eigen::Vector3d point_m = points.point_m(i, depth_m[i]);

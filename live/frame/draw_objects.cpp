@@ -64,7 +64,7 @@ class ObjectDrawing {
     for (int x = first; x < last; x += static_cast<int>(renderer::rays_a_call)) {
       const int count = std::min(static_cast<int>(renderer::rays_a_call), last - x);
       for (int i = 0; i < count; ++i) rays[i] = {rays_.eye_m(), rays_.direction(x + i, y).normalized()};
-      const auto used = static_cast<std::size_t>(count);
+      const std::size_t used = count;
       nearest_objects(pass_.scene, std::span(rays).first(used), std::span(hits).first(used));
       if (pass_.occlusion == Occlusion::mesh)
         hide_behind_mesh(std::span(rays).first(used), std::span(hits).first(used));

@@ -48,8 +48,8 @@ void LocalMesh::build(const DepthPoints& points, const std::vector<float>& depth
   const std::size_t width = grid_.columns.size();
   run_parallel(rows(), threads, [&](int row) {
     for (std::size_t column = 0; column < width; ++column) {
-      const std::size_t pixel = grid_.pixel(column, static_cast<std::size_t>(row), points.width_px());
-      const std::size_t corner = static_cast<std::size_t>(row) * width + column;
+      const std::size_t pixel = grid_.pixel(column, row, points.width_px());
+      const std::size_t corner = row * width + column;
       const bool is_there = depth_m[pixel] != no_depth_m && points.has_ray(pixel);
       depth_m_[corner] = is_there ? depth_m[pixel] : no_depth_m;
       mesh_.vertices_m[corner] =

@@ -51,11 +51,11 @@ void draw_other_eye(const renderer::TriangleSpan& local_scene, const renderer::D
   renderer::parallel_for(eye.codes.height_px, threads, [&](int y) {
     const RowInColour row{colour_view.axes * (rays.eye_m() - colour_view.eye_m),
                           colour_view.axes * rays.direction(0, y), colour_view.axes * rays.right_per_px()};
-    const std::size_t start = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px);
+    const std::size_t start = grid_index(y, 0, width_px);
     for (int x = 0; x < width_px; ++x) {
-      std::uint8_t* out = &eye.codes.values[3 * (start + static_cast<std::size_t>(x))];
+      std::uint8_t* out = &eye.codes.values[3 * (start + x)];
       out[0] = out[1] = out[2] = 0;
-      const float z = eye.real.depth_m[start + static_cast<std::size_t>(x)];
+      const float z = eye.real.depth_m[start + x];
       if (!(z < std::numeric_limits<float>::max())) continue;
       const float column = static_cast<float>(x);
       const float depth_m = row.start.z() + z * (row.first.z() + column * row.step.z());

@@ -109,8 +109,7 @@ ShadowAnswers LivePipeline::shadow_answers(const Methods& methods) {
 void LivePipeline::draw_eye(std::size_t index, const ByteImage& colour, const Eigen::Isometry3d& pose,
                             const Methods& methods) {
   LiveEye& eye = frame_.eyes[index];
-  const double right_m = (static_cast<double>(index) - 0.5 * static_cast<double>(frame_.eyes.size() - 1)) *
-                         settings_.eye_spacing_m;
+  const double right_m = (index - 0.5 * (frame_.eyes.size() - 1)) * settings_.eye_spacing_m;
   eye.view = eye_view(view_, pose, right_m, settings_.zero_parallax_m);
   const std::array<TriangleSpan, 1> meshes = {local_mesh_.span()};
   const bool is_mesh_drawn = right_m != 0 || methods.mapping == Mapping::mesh;

@@ -50,7 +50,7 @@ double interval_before_s(const LoadedRecording& recording, std::size_t frame_ind
   constexpr double usual_s = 1.0 / 30, longest_s = 1;
   const std::vector<LoadedFrame>& frames = recording.frames;
   const double whole_s = frames.back().time_s - frames.front().time_s;
-  const double mean_s = whole_s > 0 ? whole_s / static_cast<double>(frames.size() - 1) : usual_s;
+  const double mean_s = whole_s > 0 ? whole_s / (frames.size() - 1) : usual_s;
   return std::min(longest_s,
                   frame_index > 0 ? frames[frame_index].time_s - frames[frame_index - 1].time_s : mean_s);
 }
@@ -65,7 +65,7 @@ LoadedRecording load_recording(const Recording& recording, const LoadOptions& op
   loaded.view = view_camera(loaded.rig.colour, options.width_px, options.height_px, request_name("size"));
   const std::size_t count = frames_to_load(recording, loaded, options.most_frames);
   const std::string index = (recording.folder / recording_index).string();
-  Progress progress("frames", static_cast<double>(count));
+  Progress progress("frames", count);
   for (std::size_t i = 0; i < count; ++i) {
     stop_if_interrupted();
     const RecordedFrame& frame = recording.frames[i];

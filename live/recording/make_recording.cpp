@@ -27,7 +27,7 @@ Eigen::Vector3d middle_m(const renderer::SensedScene& scene, const sensors::Rig&
 }
 
 std::array<double, 3> three(const Rgb& rgb) {
-  return {static_cast<double>(rgb[0]), static_cast<double>(rgb[1]), static_cast<double>(rgb[2])};
+  return {rgb[0], rgb[1], rgb[2]};
 }
 
 /// The light of a scene in words of a recording. Surfaces that emit are left out: there is no word for them.
@@ -40,7 +40,7 @@ SceneDefinition light_of(const renderer::Light& light, const SceneDefinition& de
   for (const renderer::Sun& sun : light.suns)
     words.suns->push_back({.to_sun = sun.to_sun.cast<double>(),
                            .irradiance_w_m2 = three(sun.irradiance_w_m2),
-                           .angular_radius_deg = static_cast<double>(sun.angular_radius_rad) / degree});
+                           .angular_radius_deg = sun.angular_radius_rad / degree});
   for (const renderer::Lamp& lamp : light.lamps)
     words.lamps->push_back({.position_m = lamp.position_m.cast<double>() + centre_m,
                             .intensity_w_sr = three(lamp.intensity_w_sr),
@@ -68,9 +68,9 @@ Recording make_recording(const renderer::SceneFile& file, const SceneDefinition&
     const double share = options.frames > 1 ? static_cast<double>(i) / (options.frames - 1) : 0;
     Eigen::Isometry3d pose = pose_on_path(path, scene.world_from_colour, share);
     renderer::SenseSettings settings = options.sense;
-    settings.key.frame += static_cast<std::uint64_t>(i);
+    settings.key.frame += i;
     // Else the colours' noise would stand still on the sensor, and corners that are followed with it.
-    settings.photograph.seed += static_cast<std::uint64_t>(i);
+    settings.photograph.seed += i;
     const renderer::SensedFrame sensed = renderer::sense_frame(scene, rig, pose, settings);
     RecordedFrame frame{.time_s = i / options.frames_per_s,
                         .depth_file = fmt::format("depth/{:06}.exr", i),

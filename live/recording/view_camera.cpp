@@ -23,8 +23,7 @@ std::uint8_t between(const ByteImage& picture, double x_px, double y_px, int cha
             bottom = std::min(top + 1, picture.height_px - 1);
   const double across = x - left, down = y - top;
   const auto code = [&](int column, int row) {
-    return static_cast<double>(
-        picture.values[grid_index(row, column, picture.width_px) * 3 + static_cast<std::size_t>(channel)]);
+    return static_cast<double>(picture.values[grid_index(row, column, picture.width_px) * 3 + channel]);
   };
   const double upper = code(left, top) + across * (code(right, top) - code(left, top));
   const double lower = code(left, bottom) + across * (code(right, bottom) - code(left, bottom));
@@ -59,8 +58,7 @@ ByteImage view_picture(const ByteImage& picture, const sensors::PinholeCamera& c
                        const sensors::PinholeCamera& view, int threads) {
   if (colour == view) return picture;
   ByteImage out{.width_px = view.width_px, .height_px = view.height_px, .channels = 3, .values = {}};
-  out.values.assign(static_cast<std::size_t>(view.width_px) * static_cast<std::size_t>(view.height_px) * 3,
-                    0);
+  out.values.assign(view.width_px * static_cast<std::size_t>(view.height_px) * 3, 0);
   run_parallel(view.height_px, threads, [&](int row) {
     for (int column = 0; column < view.width_px; ++column) {
       const Eigen::Vector3d direction((column + 0.5 - view.cx_px) / view.fx_px,
@@ -69,8 +67,7 @@ ByteImage view_picture(const ByteImage& picture, const sensors::PinholeCamera& c
       if (!place_px || !sensors::is_in_picture(colour, *place_px)) continue;
       const std::size_t pixel = grid_index(row, column, view.width_px) * 3;
       for (int channel = 0; channel < 3; ++channel)
-        out.values[pixel + static_cast<std::size_t>(channel)] =
-            between(picture, place_px->x(), place_px->y(), channel);
+        out.values[pixel + channel] = between(picture, place_px->x(), place_px->y(), channel);
     }
   });
   return out;

@@ -109,7 +109,7 @@ std::optional<FoundPose> pose_from_points(const sensors::PinholeCamera& camera,
   std::vector<cv::Point3d> good_points;
   std::vector<cv::Point2d> good_places;
   for (const int index : inliers) {
-    const auto at = static_cast<std::size_t>(index);
+    const std::size_t at = index;
     found.inliers.push_back(at);
     good_points.push_back(points[at]);
     good_places.push_back(places[at]);

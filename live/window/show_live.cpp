@@ -180,7 +180,7 @@ class LiveWindow {
     double total_ms = 0;
     for (std::size_t i = 0; i < stage_count; ++i) {
       double ms = 0;
-      for (const TimedFrame& frame : recent_) ms += frame.times.ms[i] / static_cast<double>(recent_.size());
+      for (const TimedFrame& frame : recent_) ms += frame.times.ms[i] / recent_.size();
       total_ms += ms;
       if (ms > 0)
         line(panel, y_px, std::string(word(static_cast<FrameStage>(i))), fmt::format("{:.1f} ms", ms),

@@ -63,8 +63,7 @@ Repaired smooth_by_photograph(const DepthFrame& measured, const Image& photograp
         for (int x = std::max(0, column - radius); x <= std::min(width - 1, column + radius); ++x) {
           const float value = measured.at(x, y);
           if (DepthFrame::is_hole(value)) continue;
-          const double weight = near[static_cast<std::size_t>(std::abs(x - column))] *
-                                near[static_cast<std::size_t>(std::abs(y - row))] *
+          const double weight = near[std::abs(x - column)] * near[std::abs(y - row)] *
                                 std::exp(of_square * square_of_difference(photograph, column, row, x, y));
           weights += weight;
           sum += weight * value;

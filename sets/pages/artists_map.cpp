@@ -138,7 +138,7 @@ PixelSet without_specks(const PixelSet& set, int least_px) {
                 y = static_cast<int>(part[next]) / set.width_px;
       for (int v = std::max(y - 1, 0); v <= std::min(y + 1, set.height_px - 1); ++v)
         for (int u = std::max(x - 1, 0); u <= std::min(x + 1, set.width_px - 1); ++u) {
-          const auto i = static_cast<std::size_t>(v * set.width_px + u);
+          const std::size_t i = grid_index(v, u, set.width_px);
           if (set.values[i] == 0 || seen[i] != 0) continue;
           seen[i] = 1;
           part.push_back(i);

@@ -23,7 +23,7 @@ OwnTasks own_tasks_of(const RenderedSet& set) {
 }
 
 const TaskFacts& task_of(const TaskFacts& study, const OwnTasks& own, const Trial& trial) {
-  return own ? own->at(static_cast<std::size_t>(trial.stimulus)) : study;
+  return own ? own->at(trial.stimulus) : study;
 }
 
 std::shared_ptr<const TaskDefinition> task_of(const RenderedSet& set, const Trial& trial) {

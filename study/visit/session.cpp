@@ -13,7 +13,7 @@ Phase before_image(const SessionPace& pace) {
 
 /// -1: its block has no words of its own.
 int briefed_block(const SessionPace& pace, const std::optional<Trial>& trial) {
-  return pace.briefed && trial ? pace.briefed->at(static_cast<std::size_t>(trial->stimulus)) : -1;
+  return pace.briefed && trial ? pace.briefed->at(trial->stimulus) : -1;
 }
 
 Phase after_grey(const Grey& phase, const Event& event, const SessionPace& pace) {
@@ -181,7 +181,7 @@ Session next(Session session, const Event& event) {
 const SessionTask& task_due(const Session& session) {
   if (!session.pace.own_tasks) return session.pace.task;
   const std::optional<Trial> due = current_trial(session.trials);
-  return due ? session.pace.own_tasks->at(static_cast<std::size_t>(due->stimulus)) : session.pace.task;
+  return due ? session.pace.own_tasks->at(due->stimulus) : session.pace.task;
 }
 
 std::optional<Trial> picture_on_screen(const Session& session) {

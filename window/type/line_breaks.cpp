@@ -29,13 +29,11 @@ void add_thai_breaks(std::u32string_view paragraph, std::vector<bool>& may_end) 
     std::size_t end = begin;
     while (end < paragraph.size() && is_thai(paragraph[end])) ++end;
     if (end == begin) continue;
-    const std::wstring words(paragraph.begin() + static_cast<std::ptrdiff_t>(begin),
-                             paragraph.begin() + static_cast<std::ptrdiff_t>(end));
+    const std::wstring words(paragraph.begin() + begin, paragraph.begin() + end);
     std::vector<int> starts(words.size());
     const int count = th_brk_wc_find_breaks(dictionary.get(), words.c_str(), starts.data(), starts.size());
     for (int i = 0; i < count; ++i)
-      if (const auto start = static_cast<std::size_t>(starts[static_cast<std::size_t>(i)]); start > 0)
-        may_end[begin + start - 1] = true;
+      if (const std::size_t start = starts[i]; start > 0) may_end[begin + start - 1] = true;
     begin = end;
   }
 }

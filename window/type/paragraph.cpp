@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "support/arithmetic/grid_index.h"
 #include "window/type/characters.h"
 #include "window/type/line_breaks.h"
 #include "window/type/text_direction.h"
@@ -149,11 +150,8 @@ void add(const Coverage& glyph, Coverage& line) {
     for (int x = 0; x < glyph.width_px; ++x) {
       const int to_x = glyph.left_px - line.left_px + x, to_y = glyph.top_px - line.top_px + y;
       if (to_x < 0 || to_x >= line.width_px || to_y < 0 || to_y >= line.height_px) continue;
-      std::uint8_t& under =
-          line.values[static_cast<std::size_t>(to_y) * static_cast<std::size_t>(line.width_px) +
-                      static_cast<std::size_t>(to_x)];
-      const int over = glyph.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(glyph.width_px) +
-                                    static_cast<std::size_t>(x)];
+      std::uint8_t& under = line.values[grid_index(to_y, to_x, line.width_px)];
+      const int over = glyph.values[grid_index(y, x, glyph.width_px)];
       under = static_cast<std::uint8_t>(255 - ((255 - under) * (255 - over) + 127) / 255);
     }
 }
@@ -190,7 +188,7 @@ Coverage draw_line(const TypeStyle& style, const TextLine& line, int most_width_
   const int right_px = std::min(whole.left_px + whole.width_px, most_width_px);
   whole.left_px = std::max(whole.left_px, least_px);
   whole.width_px = std::max(0, right_px - whole.left_px);
-  whole.values.resize(static_cast<std::size_t>(whole.width_px) * static_cast<std::size_t>(whole.height_px));
+  whole.values.resize(whole.width_px * static_cast<std::size_t>(whole.height_px));
   for (const PlacedGlyph& placed : line.glyphs)
     if (placed.x_px >= least_px && placed.x_px <= most_width_px)
       add(drawn(style, placed, &OutlineFont::glyph), whole);

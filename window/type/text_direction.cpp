@@ -48,8 +48,7 @@ std::vector<std::size_t> order_on_line(const std::vector<std::uint8_t>& levels) 
     for (std::size_t begin = 0; begin < levels.size(); ++begin) {
       std::size_t end = begin;
       while (end < levels.size() && levels[order[end]] >= level) ++end;
-      std::reverse(order.begin() + static_cast<std::ptrdiff_t>(begin),
-                   order.begin() + static_cast<std::ptrdiff_t>(end));
+      std::reverse(order.begin() + begin, order.begin() + end);
       begin = end;
     }
   return order;

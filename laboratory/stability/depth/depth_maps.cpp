@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "support/arithmetic/grid_index.h"
 #include "support/text/numbers.h"
 
 namespace seamline::stability {
@@ -49,7 +50,7 @@ DepthMap random_depth_map(int width_px, const RandomMapKind& kind, Random& rando
   const double bump = random.uniform() < 0.5 ? 0 : std::pow(10, between(-5, -1)), waves = between(1, 8);
   for (int row = 0; row < map.height_px; ++row)
     for (int column = 0; column < width_px; ++column)
-      map.distance_m[static_cast<std::size_t>(row * width_px + column)] *=
+      map.distance_m[grid_index(row, column, width_px)] *=
           static_cast<float>(1 + bump * std::sin(waves * row) * std::cos(waves * column));
   for (int patch = below(5); patch > 0; --patch) {
     const bool hole = kind.holes && random.uniform() < 0.4;
@@ -59,7 +60,7 @@ DepthMap random_depth_map(int width_px, const RandomMapKind& kind, Random& rando
               down = 1 + below(map.height_px / 2);
     for (int row = top; row < std::min(map.height_px, top + down); ++row)
       for (int column = left; column < left + across; ++column) {
-        float& at = map.distance_m[static_cast<std::size_t>(row * width_px + column % width_px)];
+        float& at = map.distance_m[grid_index(row, column % width_px, width_px)];
         at = hole ? std::numeric_limits<float>::infinity()
                   : static_cast<float>(std::clamp(static_cast<double>(at) * factor, 1e-3, 1e6));
       }

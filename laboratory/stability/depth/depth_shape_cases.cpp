@@ -60,12 +60,12 @@ NamedMesh named(const DepthMesh& mesh, int width, int height) {
 Finding try_constant_sphere(double distance_m, const MeshOptions& options,
                             const MeshRule& rule = build_depth_mesh) {
   constexpr int rays = 100;
-  const DepthMesh mesh = rule(constant_map(256, radius_m), options);
+  const DepthMesh mesh = rule(constant_map(256, distance_m), options);
   double error = 0;
   for (int i = 0; i < rays; ++i) {
     // Through the middle of cells and of triangles, where a chord is farthest from the sphere.
     const Eigen::Vector3d d = panorama_direction(20 * i + (i % 2 == 0 ? 0.0 : 0.25), 5 * i + 262, 2048, 1024);
-    error = worse(error, relative_error(brute_force_distance_m(mesh, d), radius_m));
+    error = worse(error, relative_error(brute_force_distance_m(mesh, d), distance_m));
   }
   return {error,
           fmt::format("{} triangles, largest error {:.2g} of {} rays", mesh.triangles.size(), error, rays)};

@@ -9,6 +9,7 @@
 #include "laboratory/stability/common/shapes.h"
 #include "laboratory/stability/common/small_render.h"
 #include "laboratory/stability/depth/mesh_check.h"
+#include "support/arithmetic/grid_index.h"
 #include "support/files/image.h"
 #include "support/files/temporary_folder.h"
 #include "support/text/numbers.h"
@@ -57,7 +58,7 @@ Finding try_bad_texels(float value, bool counted, const MeshRule& rule) {
   DepthMap map = constant_map(map_width_px, 2);
   for (int row = first_row; row < first_row + patch_px; ++row)
     for (int column = first_column; column < first_column + patch_px; ++column)
-      map.distance_m[static_cast<std::size_t>(row * map_width_px + column)] = value;
+      map.distance_m[grid_index(row, column, map_width_px)] = value;
   const std::int64_t cleaned = through_file(map).cleaned_texels;
   int wrong = cleaned == (counted ? patch_px * patch_px : 0) ? 0 : 1;
   for (const MeshDensity density : {MeshDensity::adaptive, MeshDensity::full}) {

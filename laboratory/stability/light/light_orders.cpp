@@ -57,7 +57,7 @@ double ratio(const HalfHidden& scene, std::uint64_t seed, int repeat, int sample
   sums.guides.resize(1);
   for (int i = 0; i < samples; ++i) {
     const RadiancePair pair = scene.sample(Sampler(seed, repeat * samples + i, 0, 0));
-    StimulusPixel& pixel = sums.halves[static_cast<std::size_t>(i % 2)][0];
+    StimulusPixel& pixel = sums.halves[i % 2][0];
     pixel.background += pair.without_object.total();
     pixel.without_object += pair.without_object.total();
     pixel.with_object += pair.with_object.total();
