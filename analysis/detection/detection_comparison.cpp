@@ -19,7 +19,7 @@ double displayed_rms(const Image& picture) {
     const double difference = double{srgb_from_linear(std::min(1.0F, std::max(0.0F, value)))} - field;
     sum += difference * difference;
   }
-  return std::sqrt(sum / static_cast<double>(picture.values.size()));
+  return std::sqrt(sum / picture.values.size());
 }
 
 PatternResponse response_to(const DetectionPattern& pattern) {
@@ -75,7 +75,7 @@ double squared_error_db(const DetectionThresholds& thresholds, const std::vector
 std::vector<PatternResponse> pattern_responses(const DetectionThresholds& thresholds, int threads) {
   std::vector<PatternResponse> responses(thresholds.patterns.size());
   run_parallel(static_cast<int>(responses.size()), threads, [&](int index) {
-    const std::size_t place = static_cast<std::size_t>(index);
+    const std::size_t place = index;
     responses[place] = response_to(thresholds.patterns[place]);
   });
   return responses;
@@ -108,7 +108,7 @@ MeasureFit fit_measure(const DetectionThresholds& thresholds, const std::vector<
   for (const std::size_t half : {std::size_t{0}, std::size_t{1}})
     sum += squared_error_db(thresholds, responses, measure,
                             fitted_criterion(thresholds, responses, measure, half, 2), 1 - half, 2);
-  fit.rms_error_other_half_db = std::sqrt(sum / static_cast<double>(responses.size()));
+  fit.rms_error_other_half_db = std::sqrt(sum / responses.size());
   return fit;
 }
 

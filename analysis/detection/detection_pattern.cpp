@@ -115,7 +115,7 @@ void multiply_by_squares(Image& image) {
 void window_bessel(const DetectionPattern& pattern, Image& image) {
   double sum = 0;
   for (const float value : image.values) sum += double{value};
-  const double mean = sum / static_cast<double>(image.values.size());
+  const double mean = sum / image.values.size();
   for (int y = 0; y < image.height_px; ++y)
     for (int x = 0; x < image.width_px; ++x)
       image.at(x, y) = static_cast<float>((double{image.at(x, y)} - mean) *

@@ -33,8 +33,7 @@ MeasuredDifference measure_difference(const Image& flip, double pixels_per_degre
   MeasuredDifference measured = {};
   for (std::size_t i = 0; i < sums.size(); ++i)
     measured[i] = std::pow(sums[i] / (pixels_per_degree * pixels_per_degree), 1 / compared_exponents[i]);
-  measured[static_cast<std::size_t>(DifferenceMeasure::mean_flip)] =
-      sum / static_cast<double>(flip.values.size());
+  measured[static_cast<std::size_t>(DifferenceMeasure::mean_flip)] = sum / flip.values.size();
   measured[static_cast<std::size_t>(DifferenceMeasure::largest_flip)] = largest;
   measured[static_cast<std::size_t>(DifferenceMeasure::root_mean_square)] = root_mean_square;
   return measured;

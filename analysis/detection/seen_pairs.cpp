@@ -98,7 +98,7 @@ std::vector<SeenPair> read_seen_pairs(const std::filesystem::path& file) {
 std::vector<MeasuredDifference> measure_pairs(const std::vector<SeenPair>& pairs, int threads) {
   std::vector<MeasuredDifference> all(pairs.size());
   run_parallel(static_cast<int>(pairs.size()), threads, [&](int index) {
-    const std::size_t place = static_cast<std::size_t>(index);
+    const std::size_t place = index;
     all[place] = measured_pair(pairs[place]);
   });
   return all;

@@ -44,7 +44,7 @@ void transform(Spectrum& values, bool forward) {
 }
 
 double frequency_cpd(Eigen::Index index, Eigen::Index side, double pixels_per_degree) {
-  const double cycles = static_cast<double>(index < side / 2 ? index : index - side);
+  const double cycles = index < side / 2 ? index : index - side;
   return cycles * pixels_per_degree / static_cast<double>(side);
 }
 

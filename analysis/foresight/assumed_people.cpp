@@ -138,7 +138,7 @@ PlannedAnswer guess_of(const PlannedPopulation& population, std::uint64_t place,
   const AssumedPeople& assumed = population.assumed;
   const TaskFacts& task = population.task.facts;
   const bool right = task.right_is_yes ? random.uniform() < population.task.false_alarms
-                                       : random.below(static_cast<std::uint64_t>(task.alternatives)) == place;
+                                       : random.below(task.alternatives) == place;
   const bool high = assumed.high_guesses > 0 && random.uniform() < assumed.high_guesses;
   return {.right = right, .rating = high && (right || !task.right_is_yes) ? 2 : 1};
 }

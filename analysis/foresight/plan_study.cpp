@@ -151,7 +151,7 @@ SimulatedStudy simulate_study(const PlanRequest& request, const PlannedPopulatio
                               const StudyPlan& plan, int study) {
   SimulatedStudy simulated;
   const int people = request.participants.back();
-  const std::uint64_t seed = mix_bits(mix_bits(request.seed ^ plan_salt) + static_cast<std::uint64_t>(study));
+  const std::uint64_t seed = mix_bits(mix_bits(request.seed ^ plan_salt) + study);
   for (std::size_t set = 0; set < plan.level_sets.size(); ++set) {
     const std::vector<double>& levels = plan.level_sets[set].levels;
     const SimulatedAnswers answers = simulate_answers(population, plan.curves, levels, people, seed,
@@ -167,7 +167,7 @@ SimulatedStudy simulate_study(const PlanRequest& request, const PlannedPopulatio
 
 std::vector<SimulatedStudy> simulate_studies(const PlanRequest& request, const PlannedPopulation& population,
                                              const StudyPlan& plan) {
-  std::vector<SimulatedStudy> studies(static_cast<std::size_t>(request.studies));
+  std::vector<SimulatedStudy> studies(request.studies);
   Progress progress("simulated studies", request.studies);
   int shown = 0;
   run_parallel(request.studies, request.threads,

@@ -45,7 +45,7 @@ PlannedInterval interval_of(const StudyPlan& plan, const std::vector<SimulatedSt
   PlannedInterval planned;
   std::vector<double> lengths;
   const double truth_x = plan.targets[target].truth_x;
-  const auto all = static_cast<double>(studies.size());
+  const double all = studies.size();
   for (const SimulatedStudy& study : studies) {
     const LevelInterval& interval = study.intervals[at][target];
     if (const std::optional<double> length = length_x(interval))
@@ -78,7 +78,7 @@ std::vector<std::size_t> wished_for(const StudyPlan& plan, std::size_t level_set
 DesignRow design_of(const StudyPlan& plan, const std::vector<SimulatedStudy>& studies,
                     const std::vector<std::size_t>& wished, std::size_t at) {
   DesignRow design;
-  const auto all = static_cast<double>(studies.size());
+  const double all = studies.size();
   for (const SimulatedStudy& study : studies) {
     const auto every = [&](auto&& property) {
       return !wished.empty() && std::all_of(wished.begin(), wished.end(), [&](std::size_t target) {
@@ -104,7 +104,7 @@ SequentialRow sequential_of(const StudyPlan& plan, const std::vector<SimulatedSt
                             const std::vector<std::size_t>& wished, std::size_t level_set) {
   const std::vector<int>& looks = plan.request.participants;
   SequentialRow row{.level_set = level_set};
-  const auto all = static_cast<double>(studies.size());
+  const double all = studies.size();
   std::vector<double> hold_at(looks.size());  // of all studies: mean share of intervals that hold at a look
   std::vector<std::size_t> stop(studies.size());
   for (std::size_t study = 0; study < studies.size(); ++study) {
@@ -145,7 +145,7 @@ std::vector<bool> claims_shown(const PlanRequest& request, const StudyPlan& plan
   for (std::size_t curve = 0; curve < plan.curves.size(); ++curve) {
     const Eigen::VectorXd scores = scores_of(answers, curve, people, guess_rating).col(level);
     const CellMean mean = mean_over_participants({scores.begin(), scores.end()});
-    const double reach = mean.sem * student_quantile(static_cast<double>(people - 1), 0.95);
+    const double reach = mean.sem * student_quantile(people - 1, 0.95);
     shown.push_back(std::abs(mean.mean) + reach <= request.no_seam->margin);
   }
   return shown;

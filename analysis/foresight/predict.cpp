@@ -89,7 +89,7 @@ GainSource gain_source_of(const PredictionRequest& request, const ObserverDefini
 double mean_difference(const PredictedArtifact& artifact) {
   double sum = 0;
   for (const PredictedCell& cell : artifact.cells) sum += cell.visible_difference;
-  return sum / static_cast<double>(artifact.cells.size());
+  return sum / artifact.cells.size();
 }
 
 /// Of a study's levels.

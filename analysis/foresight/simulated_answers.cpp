@@ -13,7 +13,7 @@ SimulatedAnswers simulate_answers(const PlannedPopulation& population,
   answers.references.setZero(people, task.ratings());
   if (task.references > 0) answers.false_alarms.setZero(people);
   for (int p = 0; p < people; ++p) {
-    Random random(seed, first_stream + static_cast<std::uint64_t>(p));
+    Random random(seed, first_stream + p);
     const PlannedPerson person = draw_person(population, curves.size(), random);
     for (std::size_t curve = 0; curve < curves.size(); ++curve)
       for (std::size_t level = 0; level < levels.size(); ++level)

@@ -45,7 +45,7 @@ Level level_at(const JointCurve& curve, double x) {
   level.f = normal_terms(level.z);
   level.seen = (1 - curve.lapse) * level.f.value;
   level.unseen = std::max(least_probability, curve.lapse + (1 - curve.lapse) * level.f.complement);
-  const auto cuts = static_cast<std::size_t>(curve.ratings - 1);
+  const std::size_t cuts = curve.ratings - 1;
   level.cut[0] = {.value = 1, .complement = 0};
   for (std::size_t k = 0; k < cuts; ++k) {
     level.u[k] = (level.z - curve.t[k]) / curve.rho;
@@ -107,7 +107,7 @@ ByArguments by_arguments(const CurveTerms& terms, const Level& level, const ByPr
   to.z_z = by.seen_seen * seen_z * seen_z + by.seen * rest * level.f.dd;
   to.z_l = by.seen_seen * seen_z * seen_l - by.seen * terms.lapse_d * level.f.d;
   to.l_l = by.seen_seen * seen_l * seen_l - by.seen * terms.lapse_dd * level.f.value;
-  const auto ratings = static_cast<std::size_t>(terms.curve.ratings);
+  const std::size_t ratings = terms.curve.ratings;
   for (std::size_t r = 0; r < ratings; ++r) {
     to.z_g[r] = by.seen_g[r] * seen_z;
     to.l_g[r] = by.seen_g[r] * seen_l;
@@ -130,7 +130,7 @@ ByArguments by_arguments(const CurveTerms& terms, const Level& level, const ByPr
 /// log rho are added.
 void add_cuts(const CurveTerms& terms, const Level& level, ByArguments& by, CellSum& sum) {
   const double inverse = 1 / terms.curve.rho;
-  const auto cuts = static_cast<std::size_t>(terms.curve.ratings - 1);
+  const std::size_t cuts = terms.curve.ratings - 1;
   double by_z = 0, z_z = 0, z_l = 0, spread = 0, spread_spread = 0, z_spread = 0, l_spread = 0;
   for (std::size_t k = 0; k < cuts; ++k) {
     double row = 0, row_u = 0;  // of u_u, and with the other's u
@@ -251,7 +251,7 @@ CurveTerms terms_of(const JointModel& model, const Eigen::VectorXd& theta, int c
 
 void add_cell(const CurveTerms& terms, const JointCell& cell, const Eigen::Ref<const Eigen::VectorXd>& counts,
               CellSum& sum) {
-  const auto ratings = static_cast<std::size_t>(terms.curve.ratings);
+  const std::size_t ratings = terms.curve.ratings;
   sum.value += counts.tail(terms.curve.ratings).sum() * std::log(1 - cell.chance);
   for (std::size_t r = 0; r < ratings; ++r) sum.guesses[r] += counts[static_cast<Eigen::Index>(ratings + r)];
   if (!std::isfinite(cell.x)) {

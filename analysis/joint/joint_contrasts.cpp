@@ -66,7 +66,7 @@ void add_table(const std::string& question, const JointFit& fit, const JointJack
   const std::vector<int> curves = curves_with_numbers(fit);
   for (std::size_t i = 0; i < curves.size(); ++i)
     for (std::size_t j = i + 1; j < curves.size(); ++j)
-      if (together(labels[static_cast<std::size_t>(curves[i])], labels[static_cast<std::size_t>(curves[j])]))
+      if (together(labels[curves[i]], labels[curves[j]]))
         family.contrasts.push_back(contrast(curves[i], curves[j]));
   if (family.contrasts.empty()) return;
   for (const Contrast& one : family.contrasts)
@@ -170,12 +170,10 @@ JointData split_by_group(const JointData& data, const std::vector<int>& group_of
   for (std::size_t p = 0; p < group_of.size(); ++p)
     if (group_of[p] >= 0) rows.push_back(static_cast<Eigen::Index>(p));
   const JointData kept = of_people(data, rows);
-  std::vector<Eigen::MatrixXd> parts(static_cast<std::size_t>(groups),
-                                     Eigen::MatrixXd::Zero(kept.answers.rows(), kept.answers.cols()));
+  std::vector<Eigen::MatrixXd> parts(groups, Eigen::MatrixXd::Zero(kept.answers.rows(), kept.answers.cols()));
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const auto row = static_cast<Eigen::Index>(r);
-    parts[static_cast<std::size_t>(group_of[static_cast<std::size_t>(rows[r])])].row(row) =
-        kept.answers.row(row);
+    parts[static_cast<std::size_t>(group_of[rows[r]])].row(row) = kept.answers.row(row);
   }
   return split_by_part(kept, parts);
 }

@@ -63,7 +63,7 @@ void check_joint_data(const JointData& data) {
   for (std::size_t c = 0; c < data.cells.size(); ++c) {
     const JointCell& cell = data.cells[c];
     const std::string name = fmt::format("cell {}", c + 1);
-    if (cell.curve < 0 || cell.curve >= static_cast<int>(cells.size()))
+    if (cell.curve < 0 || cell.curve >= std::ssize(cells))
       refuse_joint(name, fmt::format("a curve of {}", cells.size()), fmt::format("{}", cell.curve));
     if (std::isnan(cell.x) || cell.x == -infinity)
       refuse_joint(name, "a finite level, or one with nothing to see", fmt::format("{}", cell.x));
@@ -114,7 +114,7 @@ JointData of_people(const JointData& data, const std::vector<Eigen::Index>& rows
   some.answers.resize(static_cast<Eigen::Index>(rows.size()), data.answers.cols());
   some.references.resize(static_cast<Eigen::Index>(rows.size()), data.references.cols());
   for (std::size_t r = 0; r < rows.size(); ++r) {
-    some.people.push_back(data.people[static_cast<std::size_t>(rows[r])]);
+    some.people.push_back(data.people[rows[r]]);
     some.answers.row(static_cast<Eigen::Index>(r)) = data.answers.row(rows[r]);
     some.references.row(static_cast<Eigen::Index>(r)) = data.references.row(rows[r]);
   }

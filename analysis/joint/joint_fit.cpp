@@ -54,7 +54,7 @@ CurveTally tally_curve(const JointData& data, int curve) {
 
 /// One-sided t test over people that right answers are no more frequent than by chance.
 bool above_chance(const std::vector<double>& excess) {
-  const auto n = static_cast<double>(excess.size());
+  const double n = excess.size();
   if (excess.size() < 2) return !excess.empty() && excess.front() > 0;
   double mean = 0, squares = 0;
   for (const double value : excess) mean += value / n;

@@ -75,7 +75,7 @@ void add_answers_of_many(const JointModel& model, const JointPeople& people, con
   for (Eigen::Index p = 0; p < answers.rows(); ++p) {
     draw_shifts(people, random, shift);
     for (Eigen::Index c = 0; c < answers.cols(); ++c) {
-      const double away = shift[static_cast<std::size_t>(model.cells[c].curve)] / step;
+      const double away = shift[model.cells[c].curve] / step;
       asked(c, farthest + static_cast<Eigen::Index>(
                               std::lround(std::clamp<double>(away, -farthest, farthest)))) += answers(p, c);
     }
@@ -83,8 +83,8 @@ void add_answers_of_many(const JointModel& model, const JointPeople& people, con
   for (Eigen::Index c = 0; c < asked.rows(); ++c)
     for (Eigen::Index s = 0; s < asked.cols(); ++s)
       if (asked(c, s) > 0)
-        add_answers(model, group[static_cast<std::size_t>(model.cells[c].curve)], c,
-                    static_cast<double>(s - farthest) * step, asked(c, s), random, counts);
+        add_answers(model, group[model.cells[c].curve], c, static_cast<double>(s - farthest) * step,
+                    asked(c, s), random, counts);
 }
 
 /// Answers of people like those of the fit, as many in each cell as there were.
@@ -102,7 +102,7 @@ JointCounts simulate_answers(const JointModel& model, const JointPeople& people,
     for (Eigen::Index p = 0; p < answers.rows(); ++p) {
       draw_shifts(people, random, shift);
       for (Eigen::Index c = 0; c < answers.cols(); ++c) {
-        const auto curve = static_cast<std::size_t>(model.cells[c].curve);
+        const std::size_t curve = model.cells[c].curve;
         if (answers(p, c) > 0)
           add_answers(model, group[curve], c, shift[curve], answers(p, c), random, counts);
       }
@@ -162,7 +162,7 @@ JointGoodness joint_goodness(const JointFit& fit, const JointData& data, const J
   std::vector<OutcomeDistances> replicates(static_cast<std::size_t>(std::max(0, request.replicates)),
                                            {.choices = nan, .ratings = nan});
   run_parallel(request.replicates, request.threads, [&](int replicate) {
-    Random random(request.seed, static_cast<std::uint64_t>(replicate));
+    Random random(request.seed, replicate);
     const JointCounts drawn = simulate_answers(fit.model, people, answers, references, random);
     if (const std::optional<Eigen::VectorXd> top = climb_joint(fit.model, drawn, fit.theta))
       replicates[replicate] = distances(fit.model, drawn.cells, *top);

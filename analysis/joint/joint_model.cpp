@@ -73,7 +73,7 @@ JointModel joint_model(const JointData& data, const JointSharing& sharing) {
 }
 
 std::vector<std::string> parameter_names(const JointModel& model, const std::vector<std::string>& curves) {
-  std::vector<std::string> names(static_cast<std::size_t>(model.parameters()));
+  std::vector<std::string> names(model.parameters());
   const auto name = [&](Eigen::Index at, const std::string& text, bool shared, int curve) {
     names[at] = shared ? text : text + " " + curves[curve];
   };

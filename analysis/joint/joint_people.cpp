@@ -85,7 +85,7 @@ Spread spread_of(const std::vector<PersonPosterior>& people, int curves, double 
     diagonal += square.trace() / curves;
     if (curves > 1) beside += (square.sum() - square.trace()) / (curves * (curves - 1));
   }
-  const auto n = static_cast<double>(people.size());
+  const double n = people.size();
   const double least = 1e-6 * largest;
   Spread spread{.shift = std::max(curves > 1 ? beside / n : diagonal / n, least), .curve = least};
   if (curves > 1) spread.curve = std::max(diagonal / n - spread.shift, least);

@@ -129,7 +129,7 @@ std::optional<Eigen::VectorXd> maximise_joint(const JointModel& model, const Joi
   };
   for (const Eigen::VectorXd& start : starts_of(model, counts)) climb_from(start);
   if (!best || !(highest - lowest > same_height)) return best;
-  Random random(static_cast<std::uint64_t>(model.parameters()), 0);
+  Random random(model.parameters(), 0);
   const int moves = moves_of(model);
   for (int move = 0; move < moves; ++move) {
     Eigen::VectorXd start = *best;

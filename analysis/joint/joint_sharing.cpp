@@ -19,7 +19,7 @@ namespace {
 
 /// Which coordinate of the poorer model stands for each of the richer one.
 std::vector<Eigen::Index> poorer_of(const JointModel& rich, const JointModel& poor) {
-  std::vector<Eigen::Index> map(static_cast<std::size_t>(rich.parameters()));
+  std::vector<Eigen::Index> map(rich.parameters());
   const auto to = [&](Eigen::Index from, Eigen::Index into) { map[from] = into; };
   for (int c = 0; c < rich.curves; ++c) {
     to(rich.threshold(c), poor.threshold(c));
@@ -36,11 +36,11 @@ std::vector<Eigen::Index> poorer_of(const JointModel& rich, const JointModel& po
 /// Weights N (rich x q) with contrasts of each shared coordinate's copies against the first.
 Eigen::MatrixXd differences_of_copies(const std::vector<Eigen::Index>& map, Eigen::Index poor) {
   const auto rich = static_cast<Eigen::Index>(map.size());
-  std::vector<Eigen::Index> first(static_cast<std::size_t>(poor), -1);
+  std::vector<Eigen::Index> first(poor, -1);
   Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(rich, rich - poor);
   Eigen::Index column = 0;
   for (Eigen::Index i = 0; i < rich; ++i) {
-    Eigen::Index& before = first[static_cast<std::size_t>(map[i])];
+    Eigen::Index& before = first[map[i]];
     if (before < 0) {
       before = i;
       continue;

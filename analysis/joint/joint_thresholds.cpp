@@ -231,7 +231,7 @@ std::vector<JointThreshold> joint_thresholds(const JointFit& fit, const JointDat
                                              const JointJackknife& left_out) {
   const int curves = fit.model.curves;
   constexpr std::size_t quantities = every_joint_quantity.size();
-  std::vector<JointThreshold> rows(static_cast<std::size_t>(curves) * quantities);
+  std::vector<JointThreshold> rows(curves * quantities);
   const double t = pointwise_t(fit);
   for (std::size_t q = 0; q < quantities; ++q) {
     std::vector<RoughPlace> places;

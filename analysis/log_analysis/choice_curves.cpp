@@ -35,7 +35,7 @@ std::vector<std::string> used_codes(const Analysis& analysis) {
 FitProblem resampled(const PooledChoices& choices, const FitProblem& problem, std::uint64_t seed,
                      int replicate) {
   const auto people = static_cast<std::uint64_t>(choices.correct.rows());
-  Random random(seed ^ band_domain, static_cast<std::uint64_t>(replicate));
+  Random random(seed ^ band_domain, replicate);
   Eigen::RowVectorXd times = Eigen::RowVectorXd::Zero(choices.correct.rows());
   for (std::uint64_t draw = 0; draw < people; ++draw)
     times[static_cast<Eigen::Index>(random.below(people))] += 1;
@@ -152,7 +152,7 @@ std::vector<ChoiceCurve> choice_curves(const Analysis& analysis) {
   const std::vector<std::string> codes = used_codes(analysis);
   std::vector<ChoiceCurve> curves(analysis.data.artifacts.size());
   run_parallel(static_cast<int>(curves.size()), analysis.resampling.threads, [&](int index) {
-    const auto i = static_cast<std::size_t>(index);
+    const std::size_t i = index;
     const ArtifactScores& scores = analysis.data.artifacts[i];
     if (!analysis.adaptive) {
       curves[i] = choice_curve(analysis, codes, scores);

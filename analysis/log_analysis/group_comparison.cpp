@@ -176,10 +176,8 @@ void add_group_shifts(const Analysis& analysis, const Grouping& grouping,
         .undecided = fmt::format("no difference of the thresholds of {} between '{}' and '{}' was shown", of,
                                  names[b], names[a])};
     for (const int curve : of_curves) {
-      contrast.weights[fit.model.threshold(b * curves + curve)] =
-          unit / static_cast<double>(of_curves.size());
-      contrast.weights[fit.model.threshold(a * curves + curve)] =
-          -unit / static_cast<double>(of_curves.size());
+      contrast.weights[fit.model.threshold(b * curves + curve)] = unit / of_curves.size();
+      contrast.weights[fit.model.threshold(a * curves + curve)] = -unit / of_curves.size();
     }
     df = std::min(df, jackknife_degrees(left_out.theta * contrast.weights, group_of_row));
     family.contrasts.push_back(std::move(contrast));

@@ -114,7 +114,7 @@ std::vector<HeadlineRow> headline_rows(const Analysis& analysis) {
   if (!analysis.joint) return rows;
   const std::vector<ThresholdRow> paper_way = threshold_rows(analysis);
   const PlantedDetection planted = planted_detection(analysis);
-  for (int curve = 0; curve < static_cast<int>(analysis.data.artifacts.size()); ++curve) {
+  for (int curve = 0; curve < std::ssize(analysis.data.artifacts); ++curve) {
     std::vector<HeadlineRow> of_curve = rows_of_curve(analysis, curve, paper_way, planted);
     const bool floor = std::any_of(of_curve.begin(), of_curve.end(),
                                    [](const HeadlineRow& row) { return in_guess_floor(row.here); });
@@ -145,7 +145,7 @@ std::vector<std::string> notes_on_headline(const Analysis& analysis) {
     if (row.beyond_levels) name(beyond, row);
     if (!row.differs.empty()) notes.push_back(row.differs);
   }
-  for (int curve = 0; curve < static_cast<int>(analysis.data.artifacts.size()); ++curve)
+  for (int curve = 0; curve < std::ssize(analysis.data.artifacts); ++curve)
     if (std::string note = note_on_gap(analysis, curve); !note.empty()) notes.push_back(std::move(note));
   if (!floor.empty())
     notes.push_back(fmt::format(

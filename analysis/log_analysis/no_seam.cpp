@@ -71,7 +71,7 @@ std::vector<std::string> no_seam_sentences(const Analysis& analysis, double leve
         continue;
       }
       const CellMean mean = mean_over_participants(of_people);
-      const auto people = static_cast<double>(of_people.size());
+      const double people = of_people.size();
       const double reach = mean.sem * student_with_above(people - 1, one_sided);
       const bool shown = std::abs(mean.mean) + reach <= margin;
       sentences.push_back(fmt::format(

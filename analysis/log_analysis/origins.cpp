@@ -93,7 +93,7 @@ std::array<double, 2> permutation_p(const Distances& distances, std::vector<int>
   const std::array<double, 2> observed = distances.between(in_web);
   std::array<int, 2> as_far = {1, 1};
   for (int permutation = 0; permutation < permutations_of_a_test; ++permutation) {
-    Random random(mix_bits(seed ^ origin_salt) + curve, static_cast<std::uint64_t>(permutation));
+    Random random(mix_bits(seed ^ origin_salt) + curve, permutation);
     shuffle(std::span<int>(in_web), random);
     const std::array<double, 2> found = distances.between(in_web);
     for (std::size_t q = 0; q < found.size(); ++q)

@@ -30,7 +30,7 @@ std::string numbers_range_text(const std::vector<double>& values) {
   double sum = 0;
   for (const double value : values) sum += value;
   if (*low == *high) return fmt::format("{:.4g}", *low);
-  return fmt::format("{:.4g} to {:.4g}, mean {:.4g}", *low, *high, sum / static_cast<double>(values.size()));
+  return fmt::format("{:.4g} to {:.4g}, mean {:.4g}", *low, *high, sum / values.size());
 }
 
 /// "Technical background".

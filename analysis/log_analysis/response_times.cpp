@@ -73,7 +73,7 @@ ResponseTimes response_times(const Analysis& analysis) {
                      .level = answer.level,
                      .which = which}];
         tally.people.insert(answer.participant);
-        tally.choice_s.push_back(static_cast<double>(answer.choice_ns) * 1e-9);
+        tally.choice_s.push_back(answer.choice_ns * 1e-9);
         tally.rating_s.push_back(static_cast<double>(answer.rating_ns - answer.choice_ns) * 1e-9);
       }
   }

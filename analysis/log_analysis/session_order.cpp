@@ -112,17 +112,16 @@ std::vector<SessionPart> session_parts(const TwoWayData& table, int parts, TwoWa
 /// What is left of each score when the mean of its stimulus is taken away.
 std::vector<MeanResidual> residuals_of_people(const PlacedAnswers& placed) {
   const TwoWayData& table = placed.table;
-  std::vector<double> sum(static_cast<std::size_t>(table.stimuli)), count(sum.size());
+  std::vector<double> sum(table.stimuli), count(sum.size());
   for (std::size_t i = 0; i < placed.answers.size(); ++i) {
-    const auto stimulus = static_cast<std::size_t>(table.stimulus[i]);
+    const std::size_t stimulus = table.stimulus[i];
     sum[stimulus] += placed.answers[i].noticeability();
     count[stimulus] += 1;
   }
   std::vector<std::vector<double>> left(placed.people.size());
   for (std::size_t i = 0; i < placed.answers.size(); ++i) {
-    const auto stimulus = static_cast<std::size_t>(table.stimulus[i]);
-    left[static_cast<std::size_t>(table.person[i])].push_back(placed.answers[i].noticeability() -
-                                                              sum[stimulus] / count[stimulus]);
+    const std::size_t stimulus = table.stimulus[i];
+    left[table.person[i]].push_back(placed.answers[i].noticeability() - sum[stimulus] / count[stimulus]);
   }
   std::vector<MeanResidual> result;
   for (std::size_t person = 0; person < left.size(); ++person) {

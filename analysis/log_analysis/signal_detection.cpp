@@ -25,7 +25,7 @@ struct YesCounts {
 }  // namespace
 
 MeanOverPeople mean_of_observers(const std::vector<double>& values) {
-  const auto n = static_cast<double>(values.size());
+  const double n = values.size();
   double sum = 0, squares = 0;
   for (const double value : values) sum += value;
   const double mean = sum / n;

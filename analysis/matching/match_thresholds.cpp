@@ -29,7 +29,7 @@ std::optional<double> deviation_of(const std::vector<double>& values) {
   const double mean = mean_of_matches(values);
   double squares = 0;
   for (const double value : values) squares += (value - mean) * (value - mean);
-  return std::sqrt(squares / static_cast<double>(values.size() - 1));
+  return std::sqrt(squares / (values.size() - 1));
 }
 
 PersonMatches person_matches(const std::vector<study::MatchRecord>& matches, Quantity quantity) {
@@ -125,7 +125,7 @@ MatchMean mean_over_people(const std::vector<double>& values) {
   const std::optional<double> sd = deviation_of(values);
   if (!sd) return found;
   constexpr double upper_tail = 0.975;
-  const auto n = static_cast<double>(values.size());
+  const double n = values.size();
   const double half = student_quantile(n - 1, upper_tail) * *sd / std::sqrt(n);
   found.low = found.mean - half;
   found.high = found.mean + half;

@@ -26,7 +26,7 @@ struct SceneFit {
 LevelInterval range_with_gap(const JointData& data) {
   LevelInterval range{.low_x = infinity, .high_x = -infinity};
   double gap = 0;
-  for (int curve = 0; curve < static_cast<int>(data.curves.size()); ++curve) {
+  for (int curve = 0; curve < std::ssize(data.curves); ++curve) {
     const std::vector<double> levels = levels_of_curve(data, curve);
     for (std::size_t l = 1; l < levels.size(); ++l) gap = std::max(gap, levels[l] - levels[l - 1]);
     if (levels.empty()) continue;

@@ -31,7 +31,7 @@ double TwoSpreads::half_like_these() const {
 
 TwoSpreads two_spreads(const Eigen::VectorXd& x, const Eigen::MatrixXd& covariance, int people,
                        double shared_variance) {
-  const auto scenes = static_cast<double>(x.size());
+  const double scenes = x.size();
   TwoSpreads spreads{.mean_x = x.mean()};
   const double all = covariance.sum(), own = covariance.trace();
   spreads.people_variance = std::max(0.0, all) / (scenes * scenes) + shared_variance;

@@ -101,7 +101,7 @@ ReplicatedThreshold replicated(const JointAnalysis& joint, const PublishedThresh
 /// What a person adds to a threshold: pseudo-values less their mean. Empty where a threshold without somebody
 /// is not there.
 std::vector<double> deviations_of_people(const JointAnalysis& joint, int curve, JointQuantity quantity) {
-  const double n = static_cast<double>(joint.left_out.theta.rows());
+  const double n = joint.left_out.theta.rows();
   std::vector<double> deviations;
   double mean = 0;
   for (Eigen::Index person = 0; person < joint.left_out.theta.rows(); ++person) {
@@ -142,7 +142,7 @@ double probability_of_order(const std::vector<OrderedCurve>& curves, bool x_rise
     for (std::size_t c = 0; c < curves.size(); ++c) {
       double sum = 0;
       for (const std::uint64_t person : drawn) sum += curves[c].deviations[person];
-      const double x = curves[c].here_x + sum / static_cast<double>(people);
+      const double x = curves[c].here_x + sum / people;
       const double along = x_rises_with_level ? x : -x;
       rises = rises && (c == 0 || along > before);
       before = along;

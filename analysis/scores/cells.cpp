@@ -47,8 +47,7 @@ ObjectTallies tally_answers(const study::LogContents& log, const std::vector<Par
                             const std::vector<std::string>& conditions) {
   const LevelOrder order{level_axis(log)};
   std::map<std::string, int> person_of;
-  for (int person = 0; person < static_cast<int>(people.size()); ++person)
-    person_of[people[person].record.code] = person;
+  for (int person = 0; person < std::ssize(people); ++person) person_of[people[person].record.code] = person;
 
   ObjectTallies tallies;
   for (const study::Answer& answer : log.answers) {
@@ -81,7 +80,7 @@ CellMean cell(double level, const std::vector<std::pair<double, double>>& means)
   }
   CellMean result = mean_over_participants(noticeability);
   result.level = level;
-  result.correct = correct / static_cast<double>(means.size());
+  result.correct = correct / means.size();
   return result;
 }
 
@@ -108,7 +107,7 @@ std::pair<double, double> mean_of_objects(const std::vector<std::pair<double, do
     value += object_value;
     right += object_right;
   }
-  return {value / static_cast<double>(objects.size()), right / static_cast<double>(objects.size())};
+  return {value / objects.size(), right / objects.size()};
 }
 
 /// Everybody with an answer at one of the levels is on the curve; each mean is over those who answered there.
@@ -133,7 +132,7 @@ ArtifactScores artifact_scores(Artifact artifact, const std::string& condition,
     const std::string& code = people[person].record.code;
     row_of[person] = static_cast<Eigen::Index>(scores.people.size());
     scores.people.push_back(code);
-    if (count < static_cast<int>(levels.size())) scores.incomplete.push_back(code);
+    if (count < std::ssize(levels)) scores.incomplete.push_back(code);
   }
   scores.noticeability.setConstant(static_cast<Eigen::Index>(scores.people.size()),
                                    static_cast<Eigen::Index>(levels.size()), nan);
@@ -165,7 +164,7 @@ ObjectTallies tallies_of_somebody(const study::LogContents& log, const std::vect
 }  // namespace
 
 CellMean mean_over_participants(const std::vector<double>& values) {
-  const auto n = static_cast<double>(values.size());
+  const double n = values.size();
   double sum = 0, squares = 0;
   for (double value : values) sum += value;
   const double mean = sum / n;

@@ -75,7 +75,7 @@ SosParameter sos_parameter(const Eigen::MatrixXd& score, const RatingScale& scal
   for (Eigen::Index stimulus = 0; stimulus < score.cols(); ++stimulus)
     all.push_back(moments_of(score.col(stimulus)));
   SosParameter sos = fit_sos(all, scale);
-  const auto n = static_cast<double>(score.rows());
+  const double n = score.rows();
   if (n < 3) return sos;
   double sum = 0, squares = 0;
   std::vector<double> without;

@@ -51,7 +51,7 @@ std::vector<ParticipantUse> select_participants(const study::LogContents& log, b
     int right = 0;
     for (const study::Answer* answer : answers) {
       right += answer->correct() ? 1 : 0;
-      if (!record.simulated) choice_s.push_back(static_cast<double>(answer->choice_ns) * 1e-9);
+      if (!record.simulated) choice_s.push_back(answer->choice_ns * 1e-9);
     }
     people.push_back({.record = record,
                       .use = use_of(record, include_pilot),

@@ -71,7 +71,7 @@ void draw_together(std::vector<Scored>& children, const std::vector<Scored>& raw
   const double tau2 = freedom > 0 ? std::max(beyond / freedom, 0.0) : 0;
   for (std::size_t i = 0; i < children.size(); ++i) {
     const double own = tau2 > 0 && children[i].answers > 0 ? tau2 / (tau2 + error2[i]) : 0;
-    const ScoreShares& drawn_to = parents[static_cast<std::size_t>(children[i].parent)].shares;
+    const ScoreShares& drawn_to = parents[children[i].parent].shares;
     for (std::size_t score = 0; score < drawn_to.size(); ++score)
       children[i].shares[score] = own * children[i].shares[score] + (1 - own) * drawn_to[score];
   }
@@ -85,7 +85,7 @@ std::vector<Scored> fit_stimuli(const ScoreMatrix& scores, const std::vector<boo
   for (const ScoredAnswer& answer : scores.answers) {
     if (!trusted[answer.person]) continue;
     all.front().add(answer.score);
-    of_cell[static_cast<std::size_t>(scores.cell[answer.stimulus])].add(answer.score);
+    of_cell[scores.cell[answer.stimulus]].add(answer.score);
     of_stimulus[answer.stimulus].add(answer.score);
   }
   for (std::vector<Scored>* level : {&all, &of_cell, &of_stimulus})
@@ -210,7 +210,7 @@ SpreadFit fit_spread(double s, const RightChoices& counts, const std::vector<Sco
     for (int step = 0; step < 10; ++step) {
       double expected = 0;
       for (const double r : ratio) expected += blind * r / (blind * r + 1 - blind);
-      blind = std::min(expected / static_cast<double>(ratio.size()), 0.5);
+      blind = std::min(expected / ratio.size(), 0.5);
     }
     fit.blind.clear();
     for (const double r : ratio) {
@@ -262,7 +262,7 @@ HonestNaming simulate_honest_people(const ScoreMatrix& scores, int people, std::
   if (rows < 3 || scores.answers.empty()) return naming;
   const NormalGrid grid;
   const RightChoices counts = right_choices(scores);
-  std::vector<bool> trusted(static_cast<std::size_t>(rows), true);
+  std::vector<bool> trusted(rows, true);
   std::vector<Scored> stimuli;
   for (int round = 0; round < 3; ++round) {
     stimuli = fit_stimuli(scores, trusted);
@@ -285,7 +285,7 @@ HonestNaming simulate_honest_people(const ScoreMatrix& scores, int people, std::
     Eigen::VectorXd shift(rows);
     for (double& one : shift) one = naming.people_sd * random.normal();
     for (const ScoredAnswer& answer : scores.answers) {
-      const auto i = static_cast<std::size_t>(answer.stimulus);
+      const std::size_t i = answer.stimulus;
       const bool right =
           random.uniform() < guess_rate + (1 - guess_rate) * logistic(l[i] + shift[answer.person]);
       if (right) sum(answer.person, answer.stimulus) += draw_rating(stimuli[i].shares, random);

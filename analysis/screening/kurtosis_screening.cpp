@@ -44,7 +44,7 @@ bool is_rejected(const KurtosisCount& count) {
 }  // namespace
 
 std::vector<KurtosisCount> screen_by_kurtosis(const Eigen::MatrixXd& score) {
-  std::vector<KurtosisCount> counts(static_cast<std::size_t>(score.rows()));
+  std::vector<KurtosisCount> counts(score.rows());
   for (Eigen::Index stimulus = 0; stimulus < score.cols(); ++stimulus) {
     const ExtremeLimit limit = limit_of(score.col(stimulus));
     for (Eigen::Index person = 0; person < score.rows(); ++person) {

@@ -57,11 +57,10 @@ TwoWayFit fit_two_way(TwoWayData data) {
   Eigen::MatrixXd columns(data.y.size(), k + 1);
   columns << data.x, data.y;
   columns = without_effects(data, std::move(columns));
-  std::vector<Eigen::MatrixXd> of_person(static_cast<std::size_t>(n), Eigen::MatrixXd::Zero(k, k + 1));
+  std::vector<Eigen::MatrixXd> of_person(n, Eigen::MatrixXd::Zero(k, k + 1));
   Eigen::MatrixXd all = Eigen::MatrixXd::Zero(k, k + 1);
   for (Eigen::Index i = 0; i < columns.rows(); ++i)
-    of_person[static_cast<std::size_t>(data.person[i])] +=
-        columns.row(i).head(k).transpose() * columns.row(i);
+    of_person[data.person[i]] += columns.row(i).head(k).transpose() * columns.row(i);
   for (const Eigen::MatrixXd& one : of_person) all += one;
   int rank = 0;
   fit.b = solved(all.leftCols(k), all.col(k), flat_share * before, &rank);
@@ -77,7 +76,7 @@ TwoWayFit fit_two_way(TwoWayData data) {
   const Eigen::MatrixXd centred = fit.without.rowwise() - fit.without.colwise().mean();
   // A person is also in the means that were taken out: from the mean of the others they are n / (n - 1) as
   // far.
-  const double people = static_cast<double>(n);
+  const double people = n;
   fit.covariance = centred.transpose() * centred * (people / (people - 1));
   fit.determined = true;
   return fit;

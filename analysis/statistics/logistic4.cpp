@@ -32,7 +32,7 @@ void project(double centre_x, double scale_x, std::span<const double> level_x, c
   double sum_f = 0;
   for (std::size_t i = 0; i < level_x.size(); ++i)
     sum_f += into.fallen[i] = falling_logistic((level_x[i] - centre_x) / scale_x);
-  const double mean_f = sum_f / static_cast<double>(level_x.size()), mean_y = means.mean();
+  const double mean_f = sum_f / level_x.size(), mean_y = means.mean();
   double product = 0, square = 0;
   for (std::size_t i = 0; i < level_x.size(); ++i) {
     const double centred = into.fallen[i] - mean_f;

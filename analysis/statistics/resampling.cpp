@@ -23,7 +23,7 @@ Eigen::MatrixXd draw_counts(int first_replicate, int replicates, Eigen::Index pe
   for (int row = 0; row < replicates; ++row) {
     Random random(seed ^ bootstrap_domain, static_cast<std::uint64_t>(first_replicate + row));
     for (Eigen::Index draw = 0; draw < people; ++draw)
-      counts(row, static_cast<Eigen::Index>(random.below(static_cast<std::uint64_t>(people)))) += 1;
+      counts(row, static_cast<Eigen::Index>(random.below(people))) += 1;
   }
   return counts;
 }
@@ -80,7 +80,7 @@ MeanVector mean_of_incomplete(const Eigen::MatrixXd& noticeability) {
 MeanVector mean_and_covariance(const Eigen::MatrixXd& noticeability) {
   assert(noticeability.rows() > 0);
   if (noticeability.hasNaN()) return mean_of_incomplete(noticeability);
-  const auto n = static_cast<double>(noticeability.rows());
+  const double n = noticeability.rows();
   const Eigen::VectorXd mean = noticeability.colwise().mean().transpose();
   const Eigen::MatrixXd centred = noticeability.rowwise() - mean.transpose();
   return {.mean = mean,

@@ -21,7 +21,7 @@ CurveReplicates::CurveReplicates(const std::vector<double>& level_x, int replica
 }
 
 void CurveReplicates::set(int replicate, std::span<const double> means) {
-  const auto r = static_cast<std::size_t>(replicate);
+  const std::size_t r = replicate;
   const std::vector<double>& level_x = fitter_.level_x();
   const IsotonicFit fit = fit_non_increasing(means);
   perceptual_[r] = point(largest_x_at(perceptual_level, level_x, fit.value));

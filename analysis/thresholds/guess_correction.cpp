@@ -101,9 +101,7 @@ void test_chance(const GuessTrials& trials, const CellRange& range, const Guesse
   curve.people = mean.n;
   curve.right_share = mean_over_participants(shares).mean;
   curve.right_by_chance = curve.right_share - mean.mean;
-  curve.above_chance = mean.n < 2
-                           ? mean.mean > 0
-                           : mean.mean > mean.sem * student_quantile(static_cast<double>(mean.n - 1), 0.99);
+  curve.above_chance = mean.n < 2 ? mean.mean > 0 : mean.mean > mean.sem * student_quantile(mean.n - 1, 0.99);
 }
 
 CorrectedCurve corrected_curve(const GuessTrials& trials, const ArtifactScores& scores,

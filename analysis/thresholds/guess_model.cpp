@@ -87,7 +87,7 @@ CellCounts sort_counts(const double* counts, const Guessers& guessers) {
 /// v(r) = s q(r). The share of wrong choices says s, the right choices beyond chance say q.
 Ratings moment_start(const CellCounts& counts, const Guessers& guessers) {
   const double n = counts.all_right + counts.all_wrong;
-  const double chance = 1.0 / static_cast<double>(counts.right.size());
+  const double chance = 1.0 / counts.right.size();
   Ratings v{};
   const double guessing = std::clamp(counts.all_wrong / n / (1 - chance), 0.0, 0.98);
   double seen = 0;

@@ -26,8 +26,7 @@ ContrastTable test_contrasts_apart(std::span<const EstimatedContrasts> parts) {
       ContrastRow& row = table.rows[i];
       row.adjusted_p = adjusted[i++];
       if (std::isnan(row.p)) continue;
-      const double factor =
-          two_sided_critical(significance / static_cast<double>(estimable), part.family.degrees_of_freedom);
+      const double factor = two_sided_critical(significance / estimable, part.family.degrees_of_freedom);
       row.ci95_low = row.estimate - factor * row.standard_error;
       row.ci95_high = row.estimate + factor * row.standard_error;
       conclude(contrast, part.family.odds_ratio, row);

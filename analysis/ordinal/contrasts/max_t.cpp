@@ -92,7 +92,7 @@ MaxAbsT::MaxAbsT(const Eigen::MatrixXd& correlation, double degrees_of_freedom)
 double MaxAbsT::tail(double t) const {
   if (std::isnan(t)) return t;
   if (!(t > 0)) return 1;
-  const auto dimension = static_cast<double>(dimension_);
+  const double dimension = dimension_;
   double sum = 0;
   for (const double reach : reach_) {
     const double squared = (t / reach) * (t / reach);
@@ -107,7 +107,7 @@ double MaxAbsT::tail(double t) const {
 
 double MaxAbsT::critical(double probability) const {
   const double low = two_sided_critical(probability, degrees_of_freedom_);
-  const double high = two_sided_critical(probability / static_cast<double>(count_), degrees_of_freedom_);
+  const double high = two_sided_critical(probability / count_, degrees_of_freedom_);
   const auto excess = [&](double t) { return tail(t) - probability; };
   if (dimension_ == 1 || !(excess(low) > 0)) return low;  // all contrasts are one and the same
   if (!(excess(high) < 0)) return high;

@@ -30,7 +30,7 @@ std::vector<std::string> dependent_columns(const OrdinalData& data, const Ordina
   qr.setThreshold(rank_tolerance);
   qr.compute(problem.x);
   for (Eigen::Index j = qr.rank(); j < problem.x.cols(); ++j)
-    names.push_back(data.predictor_names[static_cast<std::size_t>(qr.colsPermutation().indices()[j])]);
+    names.push_back(data.predictor_names[qr.colsPermutation().indices()[j]]);
   return names;
 }
 

@@ -43,7 +43,7 @@ Evaluation fixed_likelihood(const OrdinalProblem& problem, Link link, const Eige
                             int threads) {
   const Eigen::VectorXd x_beta = problem.x * parameters.segment(problem.cuts(), problem.x.cols());
   const auto chunks = static_cast<int>((problem.rows() + chunk_rows - 1) / chunk_rows);
-  std::vector<Evaluation> parts(static_cast<std::size_t>(chunks));
+  std::vector<Evaluation> parts(chunks);
   run_parallel(chunks, threads, [&](int chunk) {
     const Eigen::Index begin = chunk * chunk_rows;
     const RowRange rows{.begin = begin, .end = std::min(problem.rows(), begin + chunk_rows)};
@@ -59,7 +59,7 @@ Evaluation fixed_likelihood(const OrdinalProblem& problem, Link link, const Eige
 }
 
 Eigen::VectorXd null_parameters(const OrdinalProblem& problem, Link link) {
-  std::vector<double> count(static_cast<std::size_t>(problem.categories()), 0.0);
+  std::vector<double> count(problem.categories(), 0.0);
   for (const int category : problem.category) count[category] += 1;
   Eigen::VectorXd parameters = Eigen::VectorXd::Zero(problem.cuts() + problem.x.cols());
   double below = 0;

@@ -31,7 +31,7 @@ Eigen::VectorXd x_beta_of(const OrdinalProblem& problem, const Eigen::VectorXd& 
 }
 
 RowRange rows_of(const OrdinalProblem& problem, int participant) {
-  const auto p = static_cast<std::size_t>(participant);
+  const std::size_t p = participant;
   return {.begin = problem.first_row[p], .end = problem.first_row[p + 1]};
 }
 
@@ -47,7 +47,7 @@ Evaluation marginal_likelihood(const OrdinalProblem& problem, Link link, const Q
   const int chunks = (problem.participants() + chunk_participants - 1) / chunk_participants;
   const Evaluation nothing{
       .value = 0, .gradient = Eigen::VectorXd::Zero(size), .hessian = Eigen::MatrixXd::Zero(size, size)};
-  std::vector<Evaluation> parts(static_cast<std::size_t>(chunks), nothing);
+  std::vector<Evaluation> parts(chunks, nothing);
   run_parallel(chunks, threads, [&](int chunk) {
     Evaluation& sum = parts[chunk];
     const int first = chunk * chunk_participants;
@@ -73,7 +73,7 @@ std::vector<ParticipantPart> participant_parts(const OrdinalProblem& problem, Li
                                                const Quadrature& quadrature,
                                                const Eigen::VectorXd& parameters, int threads) {
   const Eigen::VectorXd x_beta = x_beta_of(problem, parameters);
-  std::vector<ParticipantPart> parts(static_cast<std::size_t>(problem.participants()));
+  std::vector<ParticipantPart> parts(problem.participants());
   run_parallel(problem.participants(), threads, [&](int p) {
     parts[p] = part_of({problem, link, parameters, x_beta, rows_of(problem, p)}, quadrature);
   });

@@ -40,7 +40,7 @@ Eigen::MatrixXd jackknife_covariance(const std::vector<ParticipantPart>& parts) 
       return {};
     moved.col(static_cast<Eigen::Index>(p)) = -factor.solve(parts[p].part.gradient);
   }
-  const auto n = static_cast<double>(parts.size());
+  const double n = parts.size();
   const Eigen::VectorXd mean = moved.rowwise().mean();
   moved.colwise() -= mean;
   return (n - 1) / n * (moved * moved.transpose());

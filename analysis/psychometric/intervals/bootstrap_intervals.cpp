@@ -97,7 +97,7 @@ double acceleration(const Jackknife& jackknife, std::size_t index) {
 
 /// The order statistic nearest to the share (type 1), so that infinities stay what they are.
 double order_statistic(const std::vector<double>& sorted, double share) {
-  const auto n = static_cast<double>(sorted.size());
+  const double n = sorted.size();
   return sorted[static_cast<std::size_t>(std::clamp(std::floor(share * n), 0.0, n - 1))];
 }
 
@@ -106,7 +106,7 @@ double order_statistic(const std::vector<double>& sorted, double share) {
 Interval bca(std::vector<double> replicates, const std::vector<double>& estimates, double a) {
   require_ordered(replicates);
   std::sort(replicates.begin(), replicates.end());
-  const auto n = static_cast<double>(replicates.size());
+  const double n = replicates.size();
   double below = 0;
   for (double estimate : estimates) {
     const auto lower = std::lower_bound(replicates.begin(), replicates.end(), estimate);

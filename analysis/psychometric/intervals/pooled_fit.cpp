@@ -47,7 +47,7 @@ double jackknife_variance(const PooledChoices& choices, const PsychometricFit& f
     thresholds[person] =
         maximise(problem, {}, fit.search.best.theta, fit.search.best.eta).theta[parameter::threshold];
   }
-  const auto n = static_cast<double>(people);
+  const double n = people;
   return (n - 1) / n * (thresholds.array() - thresholds.mean()).square().sum();
 }
 
@@ -65,7 +65,7 @@ double variance_ratio_of_sums(const PooledChoices& choices, const PsychometricFi
     }
     squares += residual * residual;
   }
-  const auto n = static_cast<double>(choices.correct.rows());
+  const double n = choices.correct.rows();
   return binomial > 0 ? std::max(1.0, n / (n - 1) * squares / binomial) : 1;
 }
 
@@ -121,7 +121,7 @@ PooledFit fit_pooled_choices(const PooledChoices& choices, const FitOptions& opt
   pooled.fit = fit_psychometric(sums(choices), options);
   if (pooled.fit.levels.size() >= 2) {
     pooled.design_effect = design_effect(choices, pooled.fit);
-    const double t = student_quantile(static_cast<double>(choices.correct.rows() - 1), 0.975);
+    const double t = student_quantile(choices.correct.rows() - 1, 0.975);
     pooled.threshold_ci95 = threshold_interval(pooled.fit, pooled.design_effect * t * t);
   }
   const ThresholdFinding finding = judge_threshold(pooled.fit, pooled.threshold_ci95, unit);

@@ -8,7 +8,7 @@ namespace seamline::analysis {
 std::int64_t sample_binomial(std::int64_t trials, double probability, Random& random) {
   if (trials <= 0 || probability <= 0) return 0;
   if (probability >= 1) return trials;
-  const auto n = static_cast<double>(trials);
+  const double n = trials;
   const double odds = probability / (1 - probability);
   const double mode = std::min(n, std::floor((n + 1) * probability));
   const double at_mode = std::exp(std::lgamma(n + 1) - std::lgamma(mode + 1) - std::lgamma(n - mode + 1) +

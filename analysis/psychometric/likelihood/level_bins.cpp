@@ -9,7 +9,7 @@ namespace {
 using Iterator = std::vector<UnitCounts>::const_iterator;
 
 void add_bins(Iterator first, Iterator last, std::size_t bins, std::vector<UnitCounts>& pooled) {
-  const auto count = static_cast<std::size_t>(last - first);
+  const std::size_t count = last - first;
   bins = std::min(bins, count);
   for (std::size_t bin = 0; bin < bins; ++bin) {
     UnitCounts sum;
@@ -32,7 +32,7 @@ std::vector<UnitCounts> pooled_into_bins(const std::vector<UnitCounts>& levels, 
                             [](const UnitCounts& level, double at) { return level.t < at; });
   };
   const Iterator first = place(focus.low), last = std::max(first, place(focus.high));
-  const auto before = static_cast<std::size_t>(first - levels.begin());
+  const std::size_t before = first - levels.begin();
   const auto outside = before + static_cast<std::size_t>(levels.end() - last);
   const std::size_t half = most_unpooled_levels / 2;
   std::vector<UnitCounts> pooled;

@@ -76,7 +76,7 @@ std::vector<Theta> starts(const Search& search, const ProfileCoordinate& coordin
     found = std::move(peaks);
   }
   const std::size_t kept = std::min(found.size(), scan_climbs);
-  std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(kept), found.end(),
+  std::partial_sort(found.begin(), found.begin() + kept, found.end(),
                     [](const Maximum& a, const Maximum& b) { return a.value > b.value; });
   std::vector<Theta> thetas;
   for (std::size_t i = 0; i < kept; ++i) thetas.push_back(found[i].theta);
@@ -95,7 +95,7 @@ double overdispersion_allowance(const FitProblem& problem, double eta) {
     const double extra = (row.n - 1) * eta * eta;
     share += extra / (1 + extra);
   }
-  const auto rows = static_cast<double>(problem.rows.size());
+  const double rows = problem.rows.size();
   double parameters = 2;
   for (const int rate : {parameter::lapse, parameter::guess})
     if (problem.upper[rate] > problem.lower[rate] && !(problem.equal_rates && rate == parameter::guess))

@@ -199,7 +199,7 @@ void settle(const FitProblem& problem, StepFit& fit) {
 }  // namespace
 
 Theta on_ridge(const FitProblem& problem, const StepFit& step, double share) {
-  const auto last = static_cast<double>(step.ridge_scales.size() - 1);
+  const double last = step.ridge_scales.size() - 1;
   const auto knot = static_cast<std::size_t>(std::min(share * last, last - 1));
   const double part = share * last - static_cast<double>(knot);
   const double scale = std::lerp(step.ridge_scales[knot], step.ridge_scales[knot + 1], part);
@@ -234,8 +234,7 @@ std::vector<StepFit> likely_steps(const FitProblem& problem, double needed, std:
       candidates.push_back(found);
   });
   const std::size_t kept = std::min(candidates.size(), most);
-  std::partial_sort(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(kept),
-                    candidates.end(),
+  std::partial_sort(candidates.begin(), candidates.begin() + kept, candidates.end(),
                     [](const Candidate& a, const Candidate& b) { return a.value > b.value; });
   for (std::size_t i = 0; i < kept; ++i) {
     StepFit fit = described(problem, candidates[i]);

@@ -57,7 +57,7 @@ struct DifferenceScatter {
 };
 
 double jackknife_variance_of(const Eigen::VectorXd& moves) {
-  const auto n = static_cast<double>(moves.size());
+  const double n = moves.size();
   return (n - 1) / n * (moves.array() - moves.mean()).square().sum();
 }
 

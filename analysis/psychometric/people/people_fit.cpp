@@ -148,7 +148,7 @@ Eigen::MatrixXd moves_left_out(const PeoplePlace& at) {
   if (factor.info() != Eigen::Success ||
       (factor.matrixLLT().diagonal().cwiseAbs2().array() < 1e-9 * all.diagonal().array().abs()).any())
     return {};
-  const auto n = static_cast<double>(at.parts.size());
+  const double n = at.parts.size();
   Eigen::MatrixXd moves(static_cast<Eigen::Index>(at.parts.size()), 6);
   for (std::size_t p = 0; p < at.parts.size(); ++p)
     moves.row(static_cast<Eigen::Index>(p)) =
@@ -165,7 +165,7 @@ PeopleFit people_not_identified(PeopleFit fit, const std::string& why) {
 
 /// Of a column in unit coordinates; `noise` is its variance by the answers alone.
 double people_se(const Eigen::MatrixXd& left_out, int column, double noise) {
-  const auto n = static_cast<double>(left_out.rows());
+  const double n = left_out.rows();
   return std::sqrt(std::max(noise, (n - 1) / n * left_out.col(column).squaredNorm()));
 }
 
@@ -186,7 +186,7 @@ void write_people(const PsychometricFit& sums, const PeopleProblem& people, cons
   const auto level = [&](double unit) { return level_of(frame.axis, frame.to_axis(unit)); };
   const double unit_width = study::scales_in_width(frame.sigmoid) * frame.range;
   const auto width = [&](double log_scale) { return std::exp(log_scale) * unit_width; };
-  const double t = student_quantile(static_cast<double>(fit.people - 1), 0.975);
+  const double t = student_quantile(fit.people - 1, 0.975);
   const double mean_noise = noise_variance(frame, theta, parameter::threshold),
                log_scale_noise = noise_variance(frame, theta, parameter::log_scale);
   fit.noise = {mean_noise * frame.range * frame.range,

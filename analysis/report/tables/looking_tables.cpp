@@ -19,7 +19,7 @@ using ValuesOfPeople = std::map<std::string, std::vector<double>>;
 double mean_of_values(const std::vector<double>& values) {
   double sum = 0;
   for (const double value : values) sum += value;
-  return sum / static_cast<double>(values.size());
+  return sum / values.size();
 }
 
 PeopleMean mean_over_people(const ValuesOfPeople& values) {
