@@ -114,7 +114,7 @@ class Materials {
       sampler.wrapS = sampler.wrapT = TINYGLTF_TEXTURE_WRAP_REPEAT;
       model_.samplers.push_back(sampler);
     }
-    const Pattern made = make_pattern(name);
+    const PatternPictures made = make_pattern(name);
     return patterns_
         .emplace(name, WrittenPattern{made.side_m, add_picture(model_, name, made.colour),
                                       add_picture(model_, name + "_normal", made.normal),

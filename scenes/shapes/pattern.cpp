@@ -158,8 +158,8 @@ void put(ByteImage& image, std::size_t pixel, const Colour& shares) {
 }
 
 template <class Kind>
-Pattern drawn(const Kind& kind) {
-  Pattern pattern{Kind::side_m, blank(), blank(), blank()};
+PatternPictures drawn(const Kind& kind) {
+  PatternPictures pattern{Kind::side_m, blank(), blank(), blank()};
   std::vector<Place> places;
   for (int y = 0; y < side_px; ++y)
     for (int x = 0; x < side_px; ++x) places.push_back(kind((x + 0.5) / side_px, (y + 0.5) / side_px));
@@ -189,7 +189,7 @@ Pattern drawn(const Kind& kind) {
 
 }  // namespace
 
-Pattern make_pattern(std::string_view name) {
+PatternPictures make_pattern(std::string_view name) {
   if (name == "planks") return drawn(Planks());
   if (name == "weave") return drawn(Weave());
   if (name == "plaster") return drawn(Plaster());

@@ -6,7 +6,7 @@
 namespace seamline::scenes {
 
 /// What a patterned surface looks like, in square pictures that join at their edges.
-struct Pattern {
+struct PatternPictures {
   double side_m = 1;  ///< of the square that a picture covers
   ByteImage colour;   ///< sRGB codes, 3 channels
   ByteImage normal;   ///< of tangent space, as in glTF: green is up
@@ -15,6 +15,6 @@ struct Pattern {
 
 /// "planks", "weave", "plaster" or "concrete". The same bytes everywhere. Throws std::invalid_argument for
 /// any other name.
-[[nodiscard]] Pattern make_pattern(std::string_view name);
+[[nodiscard]] PatternPictures make_pattern(std::string_view name);
 
 }  // namespace seamline::scenes

@@ -33,7 +33,7 @@ double difference(const ByteImage& image, bool rows, int first, int second) {
 }
 
 TEST_P(Patterns, GoOnAcrossTheirEdges) {
-  const Pattern pattern = make_pattern(GetParam());
+  const PatternPictures pattern = make_pattern(GetParam());
   const int last = pattern.colour.width_px - 1;
   for (const bool rows : {false, true}) {
     double most = 0;
@@ -44,7 +44,7 @@ TEST_P(Patterns, GoOnAcrossTheirEdges) {
 }
 
 TEST_P(Patterns, NormalsHaveUnitLengthAndPointOutOnTheWhole) {
-  const Pattern pattern = make_pattern(GetParam());
+  const PatternPictures pattern = make_pattern(GetParam());
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < pattern.normal.values.size(); i += 3) {
     Eigen::Vector3d normal;
