@@ -270,10 +270,12 @@ void note_left_out(const SceneFile& file, const std::vector<std::string>& unused
 std::vector<std::string> unused_of_scene(const SceneDefinition& definition, const SceneFile& file) {
   std::vector<std::string> unused;
   if (definition.camera && file.camera) unused.emplace_back("its camera (the study has one)");
+  const std::string reason =
+      definition.ambient_occlusion ? " (ambient_occlusion has none)" : " (the study's stand for them)";
   if ((definition.suns || definition.sun || definition.ambient_occlusion) && !file.suns.empty())
-    unused.emplace_back("its suns (the study's stand for them)");
+    unused.emplace_back("its suns" + reason);
   if ((definition.lamps || definition.ambient_occlusion) && !file.lamps.empty())
-    unused.emplace_back("its lamps (the study's stand for them)");
+    unused.emplace_back("its lamps" + reason);
   return unused;
 }
 

@@ -140,6 +140,16 @@ void check_level_is_seen(const TomlTable& table, const StudyDefinition& study) {
                               "ambient_occlusion in the scene \"" + scene.name + "\"");
 }
 
+/// The full mesh has no tolerance.
+void check_tolerance_is_used(const TomlTable& table, const StudyDefinition& study) {
+  if (!table.has("mesh_tolerance")) return;
+  const std::vector<ConditionDefinition> shown = list_conditions(study);
+  if (std::all_of(shown.begin(), shown.end(),
+                  [](const auto& condition) { return condition.depth.mesh == MeshDensity::full; }))
+    throw table.complaint("mesh_tolerance", "mesh = \"adaptive\" beside it: the full mesh has no tolerance",
+                          "mesh = \"full\"");
+}
+
 /// Whether anything in these scenes looks at what the depth mesh is made of.
 bool asks_for_mesh_albedo(const ConditionDefinition& condition) {
   if (condition.isolation == Isolation::mask) return true;
@@ -207,6 +217,7 @@ StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& fol
                            study.clip != nullptr);
   if (check == AssetCheck::must_exist) find_depth_files(study, folders);
   check_level_is_seen(table, study);
+  check_tolerance_is_used(table, study);
   check_mesh_albedo_is_seen(table, study);
   check_mitigations_are_seen(table, study);
   check_pipelines_are_seen(table, study);

@@ -46,6 +46,14 @@ TEST(Explain, WithOutAlsoPrintsWhatWasSavedAndTheManifestKeepsThePlan) {
   EXPECT_THAT(run_seamline(command).output, HasSubstr(" 0 kept from before"));
 }
 
+TEST(Explain, SaysWhyTheSunsOfAFileAreLeftOut) {
+  const auto folder = fresh_folder("explain-suns");
+  test::write_text(folder / "study.toml",
+                   test::quick_study_with({{"bounces = 4", "ambient_occlusion = true"}}));
+  EXPECT_THAT(run_seamline("render " + (folder / "study.toml").string() + " --explain").output,
+              HasSubstr("left out: its suns (ambient_occlusion has none)"));
+}
+
 TEST(Explain, AnUnknownOmissionListsTheNames) {
   const Outcome outcome = run_seamline("render " + quick_study() + " --explain --no-omit tails");
   EXPECT_EQ(outcome.status, 1);

@@ -21,7 +21,7 @@ const std::map<std::string, std::string> hashes = {
      "b2682a787781933036e2c6a141b203eaca8b53d3c7194cf9c268542d9f128831"},
     {"fuzz/corpus/study/adaptive_priors.toml",
      "8910165a6de763b190a63e95b9a32d95ea172ec5297997e262b6f6ef842f14f1"},
-    {"fuzz/corpus/study/all_keys.toml", "2ba39c2d610c939d262db2ea2e25545dc660c7faa48dba0734ef9eb28d498874"},
+    {"fuzz/corpus/study/all_keys.toml", "ae11060f3c0d1460fcc5419cfcdb54e3e5d6188669b32e24a7c3929427e70418"},
     {"fuzz/corpus/study/depth.toml", "9d2404d7b8312c009bf6085eb6c7dd6a51f38ab66c7f881767a1e9ee79bf9111"},
     {"fuzz/corpus/study/quick.toml", "0ad021eba0e98eef9184803add46c2ecd6a43292cc9b12f8dd00f15ca769acea"},
     {"stimuli/colour_bleeding.toml", "ec711f5417e84b7b22712ef377a0ecc738b5c38ccd40261609712596bedf3458"},

@@ -112,7 +112,8 @@ TEST(StudyFileLevel, EverySettingOfAConditionChangesTheStudysHash) {
   for (const char* setting :
        {"isolation = \"mask\"", "mesh = \"full\"", "mesh_tolerance = 1e-3", "yaw_texels = 1",
         "sun_radius_deg = 1", "albedo = 0.4", "bounces = 2", "environment_radiance = [1, 2, 3]",
-        "exposure_ev = 1", "ambient_occlusion = true", "ao_distance_m = 3", "materials = \"gltf\""}) {
+        "exposure_ev = 1", "ambient_occlusion = true", "ambient_occlusion = true\nao_distance_m = 3",
+        "materials = \"gltf\""}) {
     hashes.insert(study_hash(study_with(base + setting)));
     ++tried;
   }
@@ -168,6 +169,11 @@ TEST(StudyFileLevel, RefusesWhatWouldBeIgnoredOrMeanTwoThings) {
   EXPECT_THAT(complaint(widths + "[[condition]]\nname = \"a\"\nsun_radius = 1"), HasSubstr("sun_radius_deg"));
   EXPECT_THAT(complaint(widths + "[[condition]]\nname = \"a\"\nmesh = \"full\"\nmesh_tolerance = 0.1"),
               HasSubstr("the full mesh has no tolerance"));
+  EXPECT_THAT(complaint(widths + "mesh = \"full\"\nmesh_tolerance = 0.01"),
+              HasSubstr("mesh_tolerance: wanted mesh = \"adaptive\" beside it"));
+  EXPECT_EQ(complaint(widths + "mesh = \"full\"\nmesh_tolerance = 0.01\n[[condition]]\nname = \"full\"\n"
+                               "[[condition]]\nname = \"few\"\nmesh = \"adaptive\""),
+            "no complaint");
   EXPECT_THAT(
       complaint(widths + "[[condition]]\nname = \"a\"\nsun_radius_deg = 1", "ambient_occlusion = true\n"),
       HasSubstr("has ambient_occlusion"));

@@ -83,6 +83,20 @@ TEST(StudyFileLight, WhatWouldBeIgnoredIsRefused) {
       HasSubstr("inner_deg"));
   EXPECT_THAT(light_complaint("ambient_occlusion = true\nenvironment = \"sky.hdr\""),
               HasSubstr("ambient_occlusion"));
+  EXPECT_THAT(light_complaint("bounces = 0.28"), testing::EndsWith("found 0.28"));
+  EXPECT_THAT(light_complaint("bounces = []"), testing::EndsWith("found an empty array"));
+  EXPECT_THAT(light_complaint("ao_distance_m = 3"),
+              HasSubstr("ao_distance_m: wanted ambient_occlusion = true beside it"));
+  EXPECT_THAT(light_complaint("", "[[condition]]\nname = \"far\"\nao_distance_m = 3\n"),
+              HasSubstr("ao_distance_m: wanted ambient_occlusion = true beside it"));
+  EXPECT_EQ(
+      light_complaint("ambient_occlusion = true",
+                      "[[condition]]\nname = \"near\"\n[[condition]]\nname = \"far\"\nao_distance_m = 3\n"),
+      "no complaint");
+  EXPECT_THAT(light_complaint("ambient_occlusion = true\nbounces = 2"),
+              HasSubstr("which has no bounce, found 2"));
+  EXPECT_THAT(light_complaint("ambient_occlusion = true\n[scene.sun]\nto_sun = [0, 1, 0]\n"),
+              HasSubstr("sun: wanted no sun beside ambient_occlusion"));
 }
 
 StudyDefinition painted_study(const std::string& key, const std::string& artifact = "bounce",
