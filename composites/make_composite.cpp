@@ -175,18 +175,31 @@ struct ChosenWidth {
   std::optional<SeamlessWidth> by_thresholds;
 };
 
+/// The thresholds that were asked for; says which numbers of a report they are, and whether of people.
+std::vector<SeamThresholds> thresholds_for(const CompositeRequest& request, Notes& notes) {
+  if (request.thresholds.empty()) return paper_thresholds();
+  StudyThresholds read = read_thresholds(request.thresholds, request.condition);
+  const std::string file = printable(request.thresholds);
+  const std::string source = read.source.empty() ? "" : ", of " + printable(read.source);
+  notes.tell(fmt::format("thresholds of {}: {}{}", file,
+                         read.joint ? "those of the joint model" : "the paper's way", source));
+  if (read.simulated)
+    notes.say(file + ": its answers are those of simulated people, so that its widths say nothing of people");
+  return std::move(read.artifacts);
+}
+
 ChosenWidth choose_width(const CompositeRequest& request, const PhotoScene& scene, Notes& notes) {
   if (!request.seamless) return {request.depth_width_px, {}};
-  const auto thresholds = request.thresholds.empty() ? paper_thresholds()
-                                                     : read_thresholds(request.thresholds, request.condition);
-  const SeamlessWidth width = seamless_width(
-      present_artifacts(scene, !request.occlusion_mask.empty(), !request.shadow_matte.empty()), thresholds);
+  const SeamlessWidth width =
+      seamless_width(present_artifacts(scene, !request.occlusion_mask.empty(), !request.shadow_matte.empty()),
+                     thresholds_for(request, notes));
   for (const WidthNeed& need : width.needs)
     notes.tell(fmt::format("{}: {} ({})", word(need.artifact),
                            need.width_px ? fmt::format("{} px", *need.width_px) : "no width", need.rule));
   if (width.needs.empty())
     notes.say("no artifact is present, so that the smallest width that was tested is enough");
-  if (!width.width_px) notes.say("no width is enough by the thresholds: the whole depth map is used");
+  if (!width.width_px)
+    notes.say("no width is known to be enough by the thresholds: the whole depth map is used");
   return {width.width_px, width};
 }
 

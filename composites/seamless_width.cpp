@@ -23,20 +23,65 @@ InputError no_thresholds(const std::filesystem::path& path, const std::string& f
   return input_error({.file = path.string(), .field = field, .wanted = wanted, .found = found});
 }
 
-/// A width, the smallest tested where every one suffices, or none.
-std::optional<double> threshold_at(const nlohmann::json& artifact, const char* key) {
-  const auto found = artifact.find(key);
-  if (found == artifact.end() || !found->is_object()) return std::nullopt;
-  if (const auto estimate = found->find("estimate"); estimate != found->end() && estimate->is_number())
-    return estimate->get<double>();
-  const auto reason = found->find("reason");
-  if (reason == found->end() || !reason->is_string() || !reason->get<std::string>().starts_with("below"))
-    return std::nullopt;
+std::optional<double> number_in(const nlohmann::json& json) {
+  return json.is_number() ? std::optional(json.get<double>()) : std::nullopt;
+}
+
+/// The smallest width that was tested.
+std::optional<double> smallest_tested(const nlohmann::json& artifact) {
   const auto curve = artifact.find("curve");
-  if (curve == artifact.end() || !curve->is_array() || curve->empty()) return std::nullopt;
-  const auto width = curve->front().find("width_px");
-  return width != curve->front().end() && width->is_number() ? std::optional(width->get<double>())
-                                                             : std::nullopt;
+  if (curve == artifact.end() || !curve->is_array() || curve->empty() || !curve->front().is_object())
+    return std::nullopt;
+  return number_in(curve->front().value("width_px", nlohmann::json()));
+}
+
+/// The thresholds of record of one artifact: an object of them by key.
+class RecordedThresholds {
+ public:
+  RecordedThresholds(const nlohmann::json& artifact, bool joint)
+      : artifact_(artifact), found_(joint ? artifact.value("joint", nlohmann::json()) : artifact) {}
+
+  [[nodiscard]] bool has(const char* key) const { return found_.is_object() && found_.contains(key); }
+  /// A width, the smallest tested where every one suffices, or none.
+  [[nodiscard]] std::optional<double> at(const char* key) const {
+    if (!has(key) || !found_[key].is_object()) return std::nullopt;
+    const nlohmann::json& threshold = found_[key];
+    if (const auto estimate = number_in(threshold.value("estimate", nlohmann::json()))) return estimate;
+    const std::string reason = reason_of(threshold);
+    if (!reason.starts_with("below") && !reason.starts_with("at the levels easiest to see"))
+      return std::nullopt;
+    std::optional<double> width_px = smallest_tested(artifact_);
+    const nlohmann::json interval = threshold.value("ci95", nlohmann::json());
+    if (width_px && interval.is_array() && interval.size() == 2)
+      width_px = std::max(*width_px, number_in(interval[1]).value_or(0));
+    return width_px;
+  }
+  [[nodiscard]] bool lies_in_guess_floor(const char* key) const {
+    return has(key) && found_[key].is_object() &&
+           reason_of(found_[key]).find("guess floor") != std::string::npos;
+  }
+
+ private:
+  static std::string reason_of(const nlohmann::json& threshold) {
+    const nlohmann::json reason = threshold.value("reason", nlohmann::json());
+    return reason.is_string() ? reason.get<std::string>() : std::string();
+  }
+
+  const nlohmann::json& artifact_;
+  const nlohmann::json found_;
+};
+
+SeamThresholds thresholds_of(Artifact which, const nlohmann::json& artifact, bool joint) {
+  const RecordedThresholds recorded(artifact, joint);
+  SeamThresholds out{.artifact = which};
+  out.rated = recorded.has("perceptual_threshold_px") || recorded.has("slightly_noticeable_px");
+  out.corrected = recorded.lies_in_guess_floor("perceptual_threshold_px");
+  out.perceptual_px =
+      recorded.at(out.corrected ? "perceptual_threshold_corrected_px" : "perceptual_threshold_px");
+  out.slightly_px =
+      recorded.at(out.corrected ? "slightly_noticeable_corrected_px" : "slightly_noticeable_px");
+  out.detection_px = recorded.at("detection_px");
+  return out;
 }
 
 void require_condition(const nlohmann::json& json, const std::filesystem::path& path,
@@ -89,7 +134,7 @@ std::vector<SeamThresholds> paper_thresholds() {
           {Artifact::overlap, std::nullopt, 1596}};
 }
 
-std::vector<SeamThresholds> read_thresholds(const std::filesystem::path& path, const std::string& condition) {
+StudyThresholds read_thresholds(const std::filesystem::path& path, const std::string& condition) {
   if (!std::filesystem::is_regular_file(path))
     throw no_thresholds(path, "", "the thresholds.json of a report", "no such file");
   const std::string text = read_file(path);
@@ -101,15 +146,21 @@ std::vector<SeamThresholds> read_thresholds(const std::filesystem::path& path, c
   if (json.contains("level"))
     throw no_thresholds(path, "level", "a study of depth widths", "one of another quantity");
   require_condition(json, path, condition);
-  std::vector<SeamThresholds> thresholds;
+  const auto text_at = [&](const char* key) {
+    const nlohmann::json found = json.value(key, nlohmann::json());
+    return found.is_string() ? found.get<std::string>() : std::string();
+  };
+  const nlohmann::json simulated = json.value("simulated", nlohmann::json());
+  StudyThresholds thresholds{.artifacts = {},
+                             .joint = text_at("headline") == "joint",
+                             .simulated = simulated.is_boolean() && simulated.get<bool>(),
+                             .source = text_at("source")};
   for (const nlohmann::json& artifact : json["artifacts"]) {
     if (!artifact.is_object() || artifact.value("condition", condition) != condition) continue;
     const auto which = artifact_named(artifact.value("artifact", ""));
-    if (which)
-      thresholds.push_back({*which, threshold_at(artifact, "perceptual_threshold_px"),
-                            threshold_at(artifact, "slightly_noticeable_px")});
+    if (which) thresholds.artifacts.push_back(thresholds_of(*which, artifact, thresholds.joint));
   }
-  if (thresholds.empty())
+  if (thresholds.artifacts.empty())
     throw no_thresholds(path, "artifacts", "receiver, shadow, occlusion or overlap", "none of them");
   return thresholds;
 }
@@ -160,14 +211,24 @@ SeamlessWidth seamless_width(const PresentArtifacts& present, const std::vector<
     const auto known = std::find_if(thresholds.begin(), thresholds.end(),
                                     [&](const SeamThresholds& t) { return t.artifact == artifact; });
     const auto even = [](double width) { return 2 * static_cast<int>(std::ceil(width / 2)); };
-    if (known != thresholds.end() && known->perceptual_px) {
+    if (known == thresholds.end()) {
+      one.rule = "the study did not show it, so that no width is known" + instead;
+    } else if (!known->rated && known->detection_px) {
+      one.width_px = even(*known->detection_px);
+      one.rule = "detection: fewer than half of the people see it; the study asked for no ratings";
+    } else if (!known->rated) {
+      one.rule = "no detection threshold: no width that was tested suffices" + instead;
+    } else if (known->perceptual_px) {
       one.width_px = even(*known->perceptual_px);
-      one.rule = "PT: not noticed";
-    } else if (known != thresholds.end() && known->slightly_px) {
+      one.rule = fmt::format("PT{}: not noticed", known->corrected ? " corrected for guesses" : "");
+    } else if (known->slightly_px) {
       one.width_px = even(*known->slightly_px);
-      one.rule = fmt::format("no PT; SN instead: slightly noticeable{}", instead);
+      one.rule = fmt::format("no PT; SN{} instead: slightly noticeable{}",
+                             known->corrected ? " corrected for guesses" : "", instead);
     } else {
       one.rule = fmt::format("neither PT nor SN: no width that was tested suffices{}", instead);
+    }
+    if (!one.width_px) {
       suffices = false;
       return;
     }

@@ -26,7 +26,9 @@ TEST(SeamThresholds, AreReadFromAReport) {
       R"("slightly_noticeable_px":{"estimate":null,"reason":"below at every width"},"curve":[{"width_px":64}]},)"
       R"({"artifact":"occlusion","perceptual_threshold_px":{"estimate":null,"reason":"above at every width"},)"
       R"("slightly_noticeable_px":{"estimate":900}}])";
-  const auto found = read(R"({"format":"seamline thresholds","version":1,)" + artifacts + "}");
+  const StudyThresholds study = read(R"({"format":"seamline thresholds","version":1,)" + artifacts + "}");
+  EXPECT_FALSE(study.joint || study.simulated);
+  const std::vector<SeamThresholds>& found = study.artifacts;
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[0].perceptual_px, 300.5);
   EXPECT_EQ(found[0].slightly_px, 64);
@@ -43,6 +45,84 @@ TEST(SeamThresholds, AreReadFromAReport) {
   EXPECT_THAT(said(conditions), HasSubstr("one of soft, hard"));
   EXPECT_THAT(said(R"({"format":"seamline thresholds","level":{},)" + artifacts + "}"),
               HasSubstr("depth widths"));
+}
+
+StudyThresholds of_report(const std::string& headline, const std::string& artifact) {
+  const fs::path path = fs::path(SEAMLINE_TEST_OUTPUT) / "record_thresholds.json";
+  write_file_atomically(path, R"({"format":"seamline thresholds","simulated":true,"source":"40 simulated",)"
+                              R"("headline":")" +
+                                  headline + R"(","artifacts":[{"artifact":"receiver",)" + artifact + "}]}");
+  return read_thresholds(path, "");
+}
+
+/// The only need of a picture whose receiver is present.
+WidthNeed receiver_need(const StudyThresholds& study) {
+  return seamless_width({.receiver = true}, study.artifacts).needs.at(0);
+}
+
+TEST(SeamThresholds, AreTheNumbersThatTheHeadlineNames) {
+  const std::string both =
+      R"("perceptual_threshold_px":{"estimate":null,"reason":"above 828"},)"
+      R"("slightly_noticeable_px":{"estimate":561.4,"reason":null},"curve":[{"width_px":64}],)"
+      R"("joint":{"perceptual_threshold_px":{"estimate":704.49,"reason":null,"ci95":[545,1200]},)"
+      R"("slightly_noticeable_px":{"estimate":409.1,"reason":null},"detection_px":{"estimate":300}})";
+  const StudyThresholds joint = of_report("joint", both);
+  EXPECT_TRUE(joint.joint && joint.simulated);
+  EXPECT_EQ(joint.source, "40 simulated");
+  EXPECT_EQ(receiver_need(joint).width_px, 706);
+  EXPECT_EQ(receiver_need(joint).rule, "PT: not noticed");
+  EXPECT_EQ(receiver_need(of_report("paper_way", both)).width_px, 562);
+}
+
+TEST(SeamThresholds, OfAnswersWithoutRatingsAreThoseOfDetection) {
+  const WidthNeed seen =
+      receiver_need(of_report("joint", R"("joint":{"detection_px":{"estimate":320.9,"reason":null}})"));
+  EXPECT_EQ(seen.width_px, 322);
+  EXPECT_THAT(seen.rule, HasSubstr("detection: fewer than half"));
+  const WidthNeed unseen =
+      receiver_need(of_report("joint", R"("joint":{"detection_px":{"estimate":null,"reason":"above"}})"));
+  EXPECT_FALSE(unseen.width_px.has_value());
+  EXPECT_THAT(unseen.rule, HasSubstr("no detection threshold"));
+}
+
+TEST(SeamThresholds, OfAStudyWithRatingsAreNeverThoseOfDetection) {
+  // Half of the people see a seam of that width: it is no smaller one.
+  const WidthNeed none = receiver_need(of_report(
+      "joint",
+      R"("joint":{"perceptual_threshold_px":{"estimate":null,"reason":"at the levels hardest to see"},)"
+      R"("slightly_noticeable_px":{"estimate":null,"reason":"at the levels hardest to see"},)"
+      R"("detection_px":{"estimate":300}})"));
+  EXPECT_FALSE(none.width_px.has_value());
+  EXPECT_THAT(none.rule, HasSubstr("neither PT nor SN"));
+}
+
+TEST(SeamThresholds, BelowAllWidthsAreTheSmallestOrTheUpperEndOfTheInterval) {
+  const auto with_interval = [](const std::string& interval) {
+    return receiver_need(of_report(
+        "joint",
+        R"("curve":[{"width_px":64}],"joint":{"perceptual_threshold_px":{"estimate":null,)"
+        R"("reason":"at the levels easiest to see or before: no lower end of its interval","ci95":)" +
+            interval + "}}"));
+  };
+  EXPECT_EQ(with_interval("[null,40]").width_px, 64);
+  EXPECT_EQ(with_interval("[null,90.5]").width_px, 92);
+}
+
+TEST(SeamThresholds, InTheGuessFloorGiveWayToTheCorrectedOnes) {
+  const WidthNeed need =
+      receiver_need(of_report("joint", R"("joint":{"perceptual_threshold_px":{"estimate":null,)"
+                                       R"("reason":"not identified: the level lies in the guess floor"},)"
+                                       R"("perceptual_threshold_corrected_px":{"estimate":500}})"));
+  EXPECT_EQ(need.width_px, 500);
+  EXPECT_EQ(need.rule, "PT corrected for guesses: not noticed");
+}
+
+TEST(SeamThresholds, OfWhatAStudyDidNotShowAreNotKnown) {
+  const StudyThresholds study = of_report("joint", R"("joint":{"perceptual_threshold_px":{"estimate":300}})");
+  const SeamlessWidth width = seamless_width({.receiver = true, .occlusion = true}, study.artifacts);
+  ASSERT_EQ(width.needs.size(), 2U);
+  EXPECT_THAT(width.needs[1].rule, HasSubstr("the study did not show it"));
+  EXPECT_FALSE(width.width_px.has_value());
 }
 
 }  // namespace
