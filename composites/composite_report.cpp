@@ -60,6 +60,14 @@ std::string facts(const CompositeRequest& request, const MadeComposite& made) {
   return text + "</tbody></table></div>\n";
 }
 
+/// Of a picture's pixels.
+double black_share(const Image& picture) {
+  std::size_t black = 0;
+  for (int y = 0; y < picture.height_px; ++y)
+    for (int x = 0; x < picture.width_px; ++x) black += (picture.rgb(x, y) == 0.0F).all() ? 1 : 0;
+  return static_cast<double>(black) / (double{1} * picture.width_px * picture.height_px);
+}
+
 std::string needs(const MadeComposite& made) {
   if (!made.width) return "";
   std::string text =
@@ -111,7 +119,8 @@ void write_composite_report(const CompositeRequest& request, const MadeComposite
   body += "<h2>What it was made of</h2>\n";
   body += figures.figure(display_image(*made.photograph, request.exposure_ev), "The photograph.");
   body += figures.figure(display_image(made.local_scene),
-                         "The local scene, lit from the camera; black: no depth.");
+                         fmt::format("The local scene, lit from the camera; black: no depth, {:.1f} % of it.",
+                                     100 * black_share(made.local_scene)));
   write_file_atomically(request.report, html_page("Composite: " + html_escape(request.out), body));
 }
 

@@ -16,6 +16,7 @@
 #include "composites/seamless_width.h"
 #include "raytracer/common/parallel.h"
 #include "raytracer/common/stopwatch.h"
+#include "raytracer/scene/seen_surface.h"
 #include "renderer/depth/budget/budgeted_panorama.h"
 #include "renderer/depth/budget/samples_picture.h"
 #include "renderer/picture/rare_light.h"
@@ -139,8 +140,7 @@ Image depth_image(const Camera& camera, const Geometry& depth) {
   Image image(camera.width_px, camera.height_px, 1);
   for (int y = 0; y < camera.height_px; ++y)
     for (int x = 0; x < camera.width_px; ++x) {
-      const Ray ray = centre_ray(camera, x, y);
-      const auto hit = ray.direction.isZero() ? std::nullopt : depth.nearest(ray);
+      const auto hit = seen_surface(camera, depth, x, y);
       image.at(x, y) = hit ? hit->distance_m : 0.0F;
     }
   return image;

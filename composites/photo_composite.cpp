@@ -2,6 +2,7 @@
 
 #include "raytracer/common/parallel.h"
 #include "raytracer/error/sampling_rounds.h"
+#include "raytracer/scene/seen_surface.h"
 #include "renderer/estimators/seen_emission.h"
 #include "support/running/interrupt.h"
 
@@ -129,9 +130,7 @@ PhotoSums empty_photo_sums(const PhotoScene& scene, int threads) {
   sums.depth_lights_uncovered = true;
   parallel_for(camera.height_px, threads, [&](int y) {
     for (int x = 0; x < camera.width_px; ++x) {
-      const Ray ray = centre_ray(camera, x, y);
-      const auto seen = ray.direction.isZero() ? std::nullopt : scene.depth.nearest(ray);
-      if (seen)
+      if (const auto seen = seen_surface(camera, scene.depth, x, y))
         sums.guides[static_cast<std::size_t>(y) * static_cast<std::size_t>(camera.width_px) +
                     static_cast<std::size_t>(x)] = {seen->geometric_normal, seen->distance_m};
     }

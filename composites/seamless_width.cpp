@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "raytracer/light/light_sample.h"
+#include "raytracer/scene/seen_surface.h"
 #include "support/files/atomic_file.h"
 #include "support/text/error.h"
 #include "support/text/request_name.h"
@@ -175,7 +176,7 @@ PresentArtifacts present_artifacts(const PhotoScene& scene, bool masked_occlusio
     for (int x = 0; x < camera.width_px; ++x) {
       const Ray ray = centre_ray(camera, x, y);
       if (ray.direction.isZero()) continue;
-      const auto real = scene.depth.nearest(ray);
+      const auto real = seen_surface(camera, scene.depth, x, y);
       const auto object = scene.objects.nearest(ray);
       on_object += object ? 1 : 0;
       if (object && (!real || object->distance_m < real->distance_m)) {

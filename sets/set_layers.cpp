@@ -1,6 +1,6 @@
 #include "sets/set_layers.h"
 
-#include "raytracer/scene/camera.h"
+#include "raytracer/scene/seen_surface.h"
 #include "support/files/atomic_file.h"
 
 namespace seamline::renderer {
@@ -23,10 +23,10 @@ Image shaded_picture(const Camera& camera, const Geometry& geometry) {
   Image picture(camera.width_px, camera.height_px, 3);
   for (int y = 0; y < camera.height_px; ++y)
     for (int x = 0; x < camera.width_px; ++x) {
-      const Ray ray = centre_ray(camera, x, y);
-      if (const auto hit = geometry.nearest(ray))
+      if (const auto hit = seen_surface(camera, geometry, x, y))
         picture.set_rgb(x, y,
-                        Rgb::Constant(0.05F + 0.75F * std::abs(hit->geometric_normal.dot(ray.direction))));
+                        Rgb::Constant(0.05F + 0.75F * std::abs(hit->geometric_normal.dot(
+                                                          camera.centre_direction(x, y)))));
     }
   return picture;
 }

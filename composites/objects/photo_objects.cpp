@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "raytracer/scene/resting_object.h"
+#include "raytracer/scene/seen_surface.h"
 #include "support/text/error.h"
 #include "support/text/printable.h"
 
@@ -116,7 +117,7 @@ ObjectSight look_at_objects(const Camera& camera, const Geometry& depth, const G
       if (ray.direction.isZero()) continue;
       const auto hit = objects.nearest(ray);
       if (!hit) continue;
-      const auto real = depth.nearest(ray);
+      const auto real = seen_surface(camera, depth, x, y);
       const float real_m = real ? real->distance_m : std::numeric_limits<float>::infinity();
       ++sight.pixels;
       sight.visible_pixels += hit->distance_m < real_m ? 1 : 0;

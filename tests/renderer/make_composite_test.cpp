@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 
 #include "composites/composite_request.h"
 #include "renderer/depth/depth_map.h"
@@ -231,6 +232,39 @@ TEST_F(MakeComposite, PlanarMillimetresOfTheViewAreAsGoodAsMetres) {
   request.depth.metres_per_step = 0.001;
   ASSERT_EQ(said(request), "no complaint");
   EXPECT_EQ(read_image(folder_ / "out.exr").values, first.values);
+}
+
+TEST_F(MakeComposite, DepthInThePhotographsOwnPixelsHasNoHolesButItsOwn) {
+  // A floor 1 m below the camera and a wall: rays through pixels' middles meet the mesh at its vertices.
+  Image depth(40, 30, 1);
+  const double focal_px = 20 / std::tan(std::numbers::pi / 6);
+  for (int y = 0; y < 30; ++y)
+    for (int x = 0; x < 40; ++x) {
+      const double down = (y + 0.5 - 15) / focal_px;
+      depth.at(x, y) = static_cast<float>(down > 0 ? std::min(1 / down, 5.5) : 5.5);
+    }
+  CompositeRequest request = view();
+  request.objects[0].position_m = {0, -1, -3};
+  request.depth.file = in("own_pixels.exr");
+  request.local_scene = in("own_pixels.png");
+  request.report = in("own_pixels.html");
+  const auto black_pixels = [&] {
+    write_exr(folder_ / "own_pixels.exr", depth);
+    EXPECT_EQ(said(request), "no complaint");
+    const ByteImage shown = read_bytes_image(folder_ / "own_pixels.png");
+    int black = 0;
+    for (std::size_t i = 0; i < shown.values.size(); i += 3) black += shown.values[i] == 0 ? 1 : 0;
+    return black;
+  };
+  for (const MeshDensity density : {MeshDensity::full, MeshDensity::adaptive}) {
+    request.depth.density = density;
+    EXPECT_EQ(black_pixels(), 0);
+  }
+  EXPECT_THAT(read_file(folder_ / "own_pixels.html"), HasSubstr("no depth, 0.0 % of it"));
+  for (int y = 4; y < 10; ++y)
+    for (int x = 5; x < 15; ++x) depth.at(x, y) = 0;
+  EXPECT_EQ(black_pixels(), 60);
+  EXPECT_THAT(read_file(folder_ / "own_pixels.html"), HasSubstr("no depth, 5.0 % of it"));
 }
 
 TEST_F(MakeComposite, PixelsThatAreNoNumbersAreNamed) {
