@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "commands/options/output_files.h"
 #include "commands/photographs/mesh_options.h"
 #include "raytracer/common/parallel.h"
 #include "raytracer/scene/truth_scene.h"
@@ -29,7 +30,6 @@ struct CaptureOptions {
 };
 
 void run_capture(const CaptureOptions& options) {
-  need_extension(options.out, {".exr"});
   if (options.width_px % 2 != 0)
     throw input_error(
         {.field = "--width", .wanted = "an even width", .found = std::to_string(options.width_px)});
@@ -48,7 +48,6 @@ void run_capture(const CaptureOptions& options) {
 }
 
 void run_mesh(const MeshCommandOptions& options) {
-  need_extension(options.out, {".glb"});
   const DepthMesh mesh = panorama_mesh_of(options);
   write_depth_mesh(options.out, mesh);
   fmt::print("{}: {} triangles, {} vertices, largest relative error {:.2e}\n", options.out,
@@ -78,7 +77,9 @@ void add_workbench_commands(CLI::App& app) {
   const CLI::Option* at = add_number(*capture, "--at", capture_options->at, any_place_m,
                                      "centre X Y Z (default: the scene's camera)");
   capture->add_option("--out", capture_options->out, "depth map to write (.exr)")->required();
-  capture->callback([capture_options, at] {
+  capture->callback([capture_options, at, capture] {
+    need_extension(capture_options->out, {".exr"});
+    require_outputs(*capture, {"--out"});
     capture_options->at_given = at->count() > 0;
     run_capture(*capture_options);
   });
@@ -89,7 +90,11 @@ void add_workbench_commands(CLI::App& app) {
   mesh->add_option("--out", mesh_options->out, "mesh to write (.glb)")->required();
   add_mesh_options(*mesh, *mesh_options);
   add_yaw_option(*mesh, *mesh_options);
-  mesh->callback([mesh_options] { run_mesh(*mesh_options); });
+  mesh->callback([mesh_options, mesh] {
+    need_extension(mesh_options->out, {".glb"});
+    require_outputs(*mesh, {"--out"});
+    run_mesh(*mesh_options);
+  });
 }
 
 }  // namespace seamline::renderer

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "commands/options/output_files.h"
 #include "laboratory/bench/bench.h"
 #include "raytracer/common/parallel.h"
 #include "raytracer/tracing/ray_device.h"
@@ -120,7 +121,10 @@ void add_bench_command(CLI::App& app) {
   add_number(*bench, "--threads", line->options.threads, {1, 1024}, "threads of builds and pictures");
   bench->add_option("--csv", line->csv, "also write the measurements to this file, a row each");
   bench->add_flag("--json", line->json, "as data");
-  bench->callback([line] { run_bench(*line); });
+  bench->callback([line, bench] {
+    require_outputs(*bench, {"--csv"});
+    run_bench(*line);
+  });
 }
 
 }  // namespace seamline::renderer

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "commands/options/output_files.h"
 #include "laboratory/figures/field_figure.h"
 #include "raytracer/common/parallel.h"
 #include "raytracer/scene/truth_scene.h"
@@ -56,7 +57,10 @@ void add_field_command(CLI::App& app) {
   add_number(*command, "--shell", options->shell, {1.001, 100},
              "the shell's radius, as a multiple of that of the ball around the object")
       ->capture_default_str();
-  command->callback([options] { run_field(*options); });
+  command->callback([options, command] {
+    require_outputs(*command, {"--out"});
+    run_field(*options);
+  });
 }
 
 }  // namespace seamline::renderer

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "commands/options/output_files.h"
 #include "laboratory/stability/catalogue.h"
 #include "laboratory/stability/common/namespaces.h"
 #include "laboratory/stability/convergence_cases.h"
@@ -73,7 +74,10 @@ void add_stability_command(CLI::App& app, bool& any_failed) {
   auto* json = stability->add_flag("--json", line->json, "as data");
   stability->add_option("--csv", line->csv, "also write the cases to this file, a row each");
   stability->add_flag("--markdown", line->markdown, "as Markdown tables, one a group")->excludes(json);
-  stability->callback([line, &any_failed] { any_failed = !run_stability(*line); });
+  stability->callback([line, stability, &any_failed] {
+    require_outputs(*stability, {"--csv"});
+    any_failed = !run_stability(*line);
+  });
 }
 
 }  // namespace seamline::stability

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "commands/options/command_help.h"
+#include "commands/options/output_files.h"
 #include "commands/photographs/composite_options.h"
 #include "composites/objects/objects_file.h"
 #include "support/files/assets.h"
@@ -220,6 +221,7 @@ void run_composite(const CompositeOptions& options, const CLI::App& command) {
   if (given("--samples-picture"))
     need_extension(options.request.samples_picture, {".png"}, "--samples-picture");
   if (given("--report")) need_extension(options.request.report, {".html"}, "--report");
+  require_outputs(command, {"--out", "--layers", "--local-scene", "--samples-picture", "--report"});
   make_composite(request_of(options, command, given),
                  {.line = [](const std::string& line) { fmt::print("{}\n", line); },
                   .note = [](const std::string& note) { fmt::print(stderr, "note: {}\n", note); }});

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "commands/options/output_files.h"
 #include "commands/photographs/mesh_options.h"
 #include "stimuli/definition/study_definition.h"
 #include "stimuli/pictures/flip.h"
@@ -83,7 +84,6 @@ void print_flip(const Image& flip, const NamedRegion& region) {
 }
 
 void run_flip(const FlipOptions& options) {
-  if (!options.map.empty()) need_extension(options.map, {".png"}, "--map");
   const ByteImage reference = seen_picture(options.reference, options.exposure_ev);
   const ByteImage test = seen_picture(options.test, options.exposure_ev);
   const auto shape = [](const ByteImage& picture) {
@@ -131,7 +131,11 @@ void add_flip_command(CLI::App& app) {
       ->capture_default_str();
   add_number(*command, "--exposure", options->exposure_ev, {-60, 60, "stops"}, "of pictures of radiance")
       ->capture_default_str();
-  command->callback([options] { run_flip(*options); });
+  command->callback([options, command] {
+    if (!options->map.empty()) need_extension(options->map, {".png"}, "--map");
+    require_outputs(*command, {"--map"});
+    run_flip(*options);
+  });
 }
 
 }  // namespace seamline::renderer

@@ -13,6 +13,7 @@
 #include <string>
 
 #include "commands/options/command_help.h"
+#include "commands/options/output_files.h"
 #include "commands/options/setting_option.h"
 #include "commands/photographs/mesh_options.h"
 #include "commands/photographs/sun_options.h"
@@ -200,7 +201,6 @@ void require_room(const PictureOptions& options, const View& view) {
 }
 
 void run_picture(const PictureOptions& options) {
-  need_extension(options.out, {".png", ".exr"});
   const View view = view_of(options.view);
   require_room(options, view);
   if (options.panorama && options.width_px != 2 * options.height_px)
@@ -337,6 +337,8 @@ void add_picture_command(CLI::App& app) {
   command->callback([options, command] {
     options->has_place = command->get_option("--at")->count() > 0;
     options->has_sun = command->get_option("--to-sun")->count() > 0;
+    need_extension(options->out, {".png", ".exr"});
+    require_outputs(*command, {"--out"});
     run_picture(*options);
   });
 }

@@ -23,6 +23,15 @@ InputError unwritable(const fs::path& path, int error_number) {
                       .found = std::strerror(error_number)});
 }
 
+/// Of what could not be opened as a file.
+std::string instead_of_file(const fs::path& path) {
+  std::error_code error;
+  if (fs::is_directory(path, error)) return "a folder";
+  if (::access(path.c_str(), R_OK) == 0) return "something that cannot be opened";
+  if (errno == EACCES) return "one that you may not read (permission denied)";
+  return errno == ENOENT || errno == ENOTDIR ? "none" : std::strerror(errno);
+}
+
 /// So that the new name outlives a power cut too. Some file systems cannot do it and say EINVAL.
 void sync_folder(const fs::path& folder, const fs::path& shown) {
   const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -127,9 +136,7 @@ std::string read_file(const fs::path& path, std::int64_t most_bytes) {
   std::ifstream in(path, std::ios::binary);
   std::error_code error;
   if (!in || fs::is_directory(path, error))
-    throw input_error({.file = path.string(),
-                       .wanted = "a readable file",
-                       .found = fs::exists(path, error) ? "something else" : "none"});
+    throw input_error({.file = path.string(), .wanted = "a readable file", .found = instead_of_file(path)});
   std::string bytes;
   if (const std::uintmax_t size = fs::file_size(path, error); !error)
     bytes.reserve(static_cast<std::size_t>(std::min(size, static_cast<std::uintmax_t>(most_bytes) + 1)));

@@ -9,6 +9,7 @@
 #include "support/codec/exr_header.h"
 #include "support/codec/plain_pictures.h"
 #include "support/codec/png_file.h"
+#include "support/files/atomic_file.h"
 #include "support/files/picture_library.h"
 #include "support/running/interrupt.h"
 #include "support/text/limits.h"
@@ -92,6 +93,7 @@ OpenedPicture open_with(const std::string& format, bool alpha_apart, const Where
 std::string format_of_file(const fs::path& path) {
   std::array<char, 12> block{};
   std::ifstream in(path, std::ios::binary);
+  if (!in) static_cast<void>(read_file(path));  // which says why it cannot be read
   in.read(block.data(), block.size());
   return picture_format(std::string_view(block.data(), static_cast<std::size_t>(in.gcount())), path.string());
 }

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "refusal.h"
 #include "run_program.h"
 #include "support/files/image.h"
 
@@ -74,6 +75,28 @@ TEST(Picture, ObjectsStandWhereCompositeWouldPutThemAndBringNoLight) {
   EXPECT_FALSE((without.rgb(24, 13) == before.rgb(24, 13)).all())
       << "half a metre before the camera, in the middle";
   EXPECT_EQ(made("lit.exr", "[0, 0, 0]", "environment_radiance = [1, 1, 1]\n").status, 1);
+}
+
+TEST(Outputs, AreNoInputsAndAreTriedBeforeAnythingIsRead) {
+  const fs::path folder = test::fresh_folder("outputs");
+  write_png(folder / "photo.png", display_image(Image(8, 6, 3, 0.5F)));
+  const std::string photograph = test::read_text(folder / "photo.png");
+  fs::create_symlink("photo.png", folder / "link.png");
+  const auto in = [&](const std::string& name) { return (folder / name).string(); };
+  const std::string composite = "composite --background " + in("photo.png") + " --depth " + in("none.exr") +
+                                " --object builtin:statue --environment 1 1 1 --out ";
+  test::expect_refused(composite + in("photo.png"), "--out: wanted another file than --background");
+  test::expect_refused(composite + in("a.png") + " --local-scene " + in("link.png"),
+                       "--local-scene: wanted another file than --background");
+  // The depth map is not there: who had begun to read would say so.
+  test::expect_refused(composite + in("a.png") + " --report " + in("missing/a.html"),
+                       "--report: wanted a place that can be written to");
+  test::expect_refused("picture builtin:bedroom --out " + in("missing/a.png"),
+                       "--out: wanted a place that can be written to");
+  test::expect_refused("flip " + in("photo.png") + " " + in("photo.png") + " --map " + in("photo.png"),
+                       "--map: wanted another file than reference");
+  EXPECT_EQ(test::read_text(folder / "photo.png"), photograph);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 2);
 }
 
 }  // namespace

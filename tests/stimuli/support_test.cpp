@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <array>
 #include <atomic>
@@ -14,17 +15,20 @@
 #include "support/files/atomic_file.h"
 #include "support/files/gnuplot.h"
 #include "support/files/hash.h"
+#include "support/files/held/written_files.h"
 #include "support/files/image.h"
 #include "support/files/temporary_folder.h"
 #include "support/running/interrupt.h"
 #include "support/running/progress.h"
 #include "support/text/error.h"
 #include "support/text/suggest.h"
+#include "tests/complaint.h"
 
 namespace seamline {
 namespace {
 
 namespace fs = std::filesystem;
+using test::complaint_of;
 
 class InTemporaryFolder : public testing::Test {
  protected:
@@ -109,6 +113,63 @@ TEST_F(AtomicFile, ALongNameHasRoomForItsTemporaryOne) {
   const std::string longest(255, 'n');
   write_file_atomically(folder_ / longest, "a");
   EXPECT_EQ(read_file(folder_ / longest), "a");
+}
+
+/// Reads as somebody who is not root, in another process, and ends with 0 where the sentence says why not.
+[[noreturn]] void read_without_permission(const fs::path& file) {
+  constexpr uid_t nobody = 65534;
+  if (::geteuid() == 0 && ::setresuid(nobody, nobody, nobody) != 0) std::_Exit(3);
+  const std::string text = complaint_of([&] { static_cast<void>(read_file(file)); });
+  const std::string picture = complaint_of([&] { static_cast<void>(read_image(file)); });
+  const std::string wanted = "wanted a readable file, found one that you may not read (permission denied)";
+  std::_Exit(text.find(wanted) == std::string::npos ? 1 : picture.find(wanted) == std::string::npos ? 2 : 0);
+}
+
+TEST_F(AtomicFile, AFileThatMayNotBeReadIsToldFromNone) {
+  fs::permissions(folder_.path(), fs::perms::all);
+  write_file_atomically(folder_ / "closed.png", "a");
+  fs::permissions(folder_ / "closed.png", fs::perms::none);
+  EXPECT_EXIT(read_without_permission(folder_ / "closed.png"), testing::ExitedWithCode(0), "");
+  const auto said = [&](const char* name) {
+    return complaint_of([&] { static_cast<void>(read_file(folder_ / name)); });
+  };
+  EXPECT_NE(said("nothing").find("found none"), std::string::npos);
+  EXPECT_NE(said(".").find("found a folder"), std::string::npos);
+}
+
+using WrittenFiles = InTemporaryFolder;
+
+TEST_F(WrittenFiles, AreNoInputByAnyNameAndNotTheSameTwice) {
+  write_file_atomically(folder_ / "photo.png", "a photograph");
+  fs::create_symlink("photo.png", folder_ / "link.png");
+  fs::create_hard_link(folder_ / "photo.png", folder_ / "other.png");
+  const std::vector<OptionFile> inputs = {{"--depth", folder_ / "none.exr"},
+                                          {"--background", folder_ / "photo.png"}};
+  const auto said = [&](const std::vector<OptionFile>& outputs) {
+    return complaint_of([&] { require_outputs(outputs, inputs); });
+  };
+  for (const char* name : {"photo.png", "./photo.png", "link.png", "other.png"})
+    EXPECT_NE(said({{"--out", folder_ / name}}).find("--out: wanted another file than --background"),
+              std::string::npos)
+        << name;
+  EXPECT_NE(said({{"--out", folder_ / "none.exr"}}).find("another file than --depth"), std::string::npos);
+  EXPECT_NE(said({{"--out", folder_ / "new.png"}, {"--layers", folder_ / "./new.png"}})
+                .find("--layers: wanted another file than --out"),
+            std::string::npos);
+  EXPECT_EQ(said({{"--out", folder_ / "new.png"}, {"--layers", folder_ / "new.exr"}}), "no complaint");
+  EXPECT_EQ(read_file(folder_ / "photo.png"), "a photograph");
+}
+
+TEST_F(WrittenFiles, NeedAPlaceThatTakesThemAndLeaveNothingThere) {
+  fs::create_directory(folder_ / "folder.png");
+  const auto said = [&](const fs::path& path) {
+    return complaint_of([&] { require_outputs(std::vector<OptionFile>{{"--out", path}}, {}); });
+  };
+  EXPECT_NE(said(folder_ / "folder.png").find("found a folder"), std::string::npos);
+  EXPECT_NE(said(folder_ / "missing" / "a.png").find("No such file or directory"), std::string::npos);
+  EXPECT_NE(said("/proc/a.png").find("wanted a place that can be written to"), std::string::npos);
+  EXPECT_EQ(said(folder_ / "a.png"), "no complaint");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), {}), 1);
 }
 
 TEST(TemporaryFolders, AreNewTheOwnersAloneAndGoneAtTheEnd) {

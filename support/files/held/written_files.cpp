@@ -1,0 +1,51 @@
+#include "support/files/held/written_files.h"
+
+#include <cerrno>
+#include <cstring>
+
+#include "support/files/atomic_file.h"
+#include "support/text/error.h"
+
+namespace seamline {
+namespace fs = std::filesystem;
+namespace {
+
+InputError bad_output(const OptionFile& output, const std::string& wanted, const std::string& found) {
+  return input_error({.file = output.path.string(), .field = output.field, .wanted = wanted, .found = found});
+}
+
+/// Also of files that are not there yet.
+bool is_same_file(const fs::path& one, const fs::path& other) {
+  std::error_code error;
+  if (fs::equivalent(one, other, error) && !error) return true;
+  const fs::path first = fs::weakly_canonical(one, error);
+  if (error) return false;
+  const fs::path second = fs::weakly_canonical(other, error);
+  return !error && first == second;
+}
+
+void require_place(const OptionFile& output) {
+  std::error_code error;
+  if (fs::is_directory(output.path, error)) throw bad_output(output, "a name for a file", "a folder");
+  const fs::path folder = output.path.has_parent_path() ? output.path.parent_path() : fs::path(".");
+  if (!fs::is_directory(folder, error))
+    throw bad_output(output, "a place that can be written to", std::strerror(ENOENT));
+  prepare_output_folder(folder);
+}
+
+}  // namespace
+
+void require_outputs(std::span<const OptionFile> outputs, std::span<const OptionFile> inputs) {
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const OptionFile& output = outputs[i];
+    for (const OptionFile& input : inputs)
+      if (is_same_file(output.path, input.path))
+        throw bad_output(output, "another file than " + input.field + ", which would be lost", "the same");
+    for (const OptionFile& other : outputs.first(i))
+      if (is_same_file(output.path, other.path))
+        throw bad_output(output, "another file than " + other.field, "the same");
+    require_place(output);
+  }
+}
+
+}  // namespace seamline
