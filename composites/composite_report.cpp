@@ -55,7 +55,7 @@ std::string facts(const CompositeRequest& request, const MadeComposite& made) {
   text += row("estimated error", error_text(made));
   text += row("seconds", fmt::format("{:.1f} for the local scene, {:.1f} for the picture", made.mesh_seconds,
                                      made.picture_seconds));
-  text += row("pixels changed", fmt::format("{}", made.changed_pixels));
+  text += row("pixels changed", fmt::format("{} (other 8-bit codes)", made.changed_pixels));
   for (const std::string& note : made.notes) text += row("note", note);
   return text + "</tbody></table></div>\n";
 }

@@ -18,7 +18,8 @@ struct MadeComposite {
   std::string estimator;
   SamplesTaken taken;
   std::optional<double> error, worst_tile;  ///< display units
-  std::size_t triangles = 0, changed_pixels = 0;
+  std::size_t triangles = 0;
+  std::size_t changed_pixels = 0;  ///< of other 8-bit codes than the photograph's
   double mesh_seconds = 0, picture_seconds = 0;
   std::string depth_text;              ///< which depth, and how wide
   std::optional<SeamlessWidth> width;  ///< where thresholds chose it

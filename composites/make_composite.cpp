@@ -112,19 +112,34 @@ Rendered render(const CompositeRequest& request, const PhotoScene& scene, const 
 }
 
 /// Pixels that differ from the photograph's by no more than adding up equal samples makes are the
-/// photograph's own again; returns how many do not.
-std::size_t keep_untouched(const Image& photograph, Image& picture) {
+/// photograph's own again; returns whether any do not.
+bool keep_untouched(const Image& photograph, Image& picture) {
   constexpr float rounding = 2e-5F;
-  std::size_t changed = 0;
+  bool changed = false;
   for (int y = 0; y < picture.height_px; ++y)
     for (int x = 0; x < picture.width_px; ++x) {
       const Rgb before = photograph.rgb(x, y);
       if (((picture.rgb(x, y) - before).abs() <= rounding * before.abs()).all())
         picture.set_rgb(x, y, before);
       else
-        ++changed;
+        changed = true;
     }
   return changed;
+}
+
+/// Pixels that a screen shows otherwise than the photograph's: of other 8-bit codes.
+std::size_t count_shown_otherwise(const Image& photograph, const Image& picture, double exposure_ev) {
+  const ByteImage before = display_image(photograph, exposure_ev),
+                  after = display_image(picture, exposure_ev);
+  const auto channels = static_cast<std::size_t>(after.channels);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < after.values.size(); i += channels)
+    count += std::equal(after.values.begin() + static_cast<std::ptrdiff_t>(i),
+                        after.values.begin() + static_cast<std::ptrdiff_t>(i + channels),
+                        before.values.begin() + static_cast<std::ptrdiff_t>(i))
+                 ? 0
+                 : 1;
+  return count;
 }
 
 /// Light on the objects in the whole picture.
@@ -309,11 +324,11 @@ void make_composite(const CompositeRequest& asked, const CompositeListener& list
   Rendered rendered = render(request, scene, meshes_of(local), "composite");
   const PhotoSums& sums = rendered.estimate.sums;
   made.picture = compose_photo(sums, compositing, request.threads);
-  made.changed_pixels = keep_untouched(*made.photograph, made.picture.picture);
-  if (made.changed_pixels == 0)
+  if (!keep_untouched(*made.photograph, made.picture.picture))
     throw input_error({.field = request_name("position"),
                        .wanted = "objects that change the picture",
                        .found = "none: not one pixel is another than the photograph's"});
+  made.changed_pixels = count_shown_otherwise(*made.photograph, made.picture.picture, request.exposure_ev);
   if (look_at_objects(seen.camera, *local.geometry, object_geometry, {}).visible_pixels > 0 &&
       !objects_are_lit(sums))
     notes.say("no light reaches the objects: they are black");

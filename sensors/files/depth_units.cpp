@@ -1,7 +1,13 @@
 #include "sensors/files/depth_units.h"
 
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
 #include "support/text/error.h"
 #include "support/text/printable.h"
+#include "support/text/suggest.h"
 
 namespace seamline::sensors {
 
@@ -26,12 +32,15 @@ std::span<const DepthUnit> depth_units() {
 }
 
 const DepthUnit& depth_unit(const std::string& name, const std::string& field) {
-  std::string known;
+  std::vector<std::string> known;
   for (const DepthUnit& unit : depth_units()) {
     if (unit.name == name) return unit;
-    known += (known.empty() ? "" : ", ") + std::string(unit.name);
+    known.emplace_back(unit.name);
   }
-  throw input_error({.field = field, .wanted = "one of " + known, .found = printable(name)});
+  const std::string nearest = nearest_word(name, known);
+  throw input_error({.field = field,
+                     .wanted = fmt::format("one of {}", fmt::join(known, ", ")),
+                     .found = printable(name) + (nearest.empty() ? "" : "; did you mean " + nearest + "?")});
 }
 
 }  // namespace seamline::sensors

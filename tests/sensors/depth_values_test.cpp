@@ -219,6 +219,8 @@ TEST_F(DepthValues, AnEstimateWithoutAScaleIsNoDistance) {
 TEST_F(DepthValues, UnitsHaveNames) {
   EXPECT_EQ(depth_unit("kitti", "--depth-unit").metres_per_step * 256, 1);
   EXPECT_EQ(depth_unit("tum", "--depth-unit").metres_per_step, 1.0 / 5000);
+  EXPECT_THAT(complaint_of([] { (void)depth_unit("milimetres", "--depth-unit"); }),
+              HasSubstr("found milimetres; did you mean millimetres?"));
   EXPECT_THAT(complaint_of([] { (void)depth_unit("cubits", "--depth-unit"); }),
               HasSubstr("--depth-unit: wanted one of metres, millimetres"));
 }
