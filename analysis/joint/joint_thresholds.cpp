@@ -154,8 +154,8 @@ LevelInterval interval_of(const JointFit& fit, const JointJackknife& left_out, i
 std::string reason_of_open(const LevelInterval& interval) {
   const bool low = !std::isfinite(interval.low_x), high = !std::isfinite(interval.high_x);
   if (low && high) return "not determined: no level is excluded";
-  if (high) return "at the levels hardest to see or beyond: no upper end of its interval";
-  if (low) return "at the levels easiest to see or before: no lower end of its interval";
+  if (high) return "open where seams are hardest to see: add people, or levels there";
+  if (low) return "open where seams are easiest to see: add people, or levels there";
   return "";
 }
 

@@ -63,7 +63,7 @@ std::string chance_fraction(const TaskFacts& task) {
 void name_shares(TaskWords& words, bool yes) {
   words.mean = yes ? "share of yes" : "share of right answers";
   words.Mean = yes ? "Share of yes" : "Share of right answers";
-  words.title = yes ? "Yes" : "Right answers";
+  words.title = yes ? "Answers of yes" : "Right answers";
 }
 
 }  // namespace
@@ -107,7 +107,7 @@ TaskWords task_words(const Analysis& analysis) {
       .title = "Noticeability",
       .right_choices = yes ? "yes" : "right choices",
       .of_right_choices = yes ? "Share of yes" : "Share of right choices",
-      .choices_title = yes ? "Yes" : "Right choices",
+      .choices_title = yes ? "Answers of yes" : "Right choices",
       .chance_word = yes ? "false alarms" : "chance",
       .chance_text = yes ? fmt::format("false alarms, {:.2f}", guess) : "chance, " + chance_fraction(task),
       .wrong = "the wrong object was chosen",

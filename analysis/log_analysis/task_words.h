@@ -14,10 +14,10 @@ struct TaskWords {
   bool of_three = true;  ///< chance is 1/3 exactly
   double chance = 1.0 / 3;
   std::string mean, Mean;        ///< "mean noticeability"; "share of right answers"; "share of yes"
-  std::string title;             ///< "Noticeability"; "Right answers"; "Yes"
+  std::string title;             ///< "Noticeability"; "Right answers"; "Answers of yes"
   std::string right_choices;     ///< "right choices"; "yes"
   std::string of_right_choices;  ///< "Share of right choices"; "Share of yes"
-  std::string choices_title;     ///< "Right choices"; "Yes"
+  std::string choices_title;     ///< "Right choices"; "Answers of yes"
   std::string chance_word;       ///< "chance"; "false alarms"
   std::string chance_text;       ///< "chance, 1/2"; "false alarms, 0.12"
   std::string wrong;             ///< "the wrong object was chosen"

@@ -54,9 +54,9 @@ ThresholdEstimate estimate_in(const LevelInterval& range, const Logistic4Fit& fi
   ThresholdEstimate estimate;
   const std::string level = level_words(axis).level;
   if (range.low_x == above_every_level)
-    estimate.reason = fmt::format("above at every {}", level);
+    estimate.reason = fmt::format("the curve lies above it at every {}", level);
   else if (range.high_x == below_every_level)
-    estimate.reason = fmt::format("below at every {}", level);
+    estimate.reason = fmt::format("the curve lies below it at every {}", level);
   else if (range.low_x == range.high_x)
     estimate.level_x = range.low_x;
   else

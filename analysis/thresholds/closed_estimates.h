@@ -8,7 +8,8 @@
 namespace seamline::analysis {
 
 /// What a curve alone says of a place on its axis, in a width or in words: a point is an estimate; both ends
-/// beyond the same side are "above at every width"; a longer range has the reason of the fit.
+/// beyond the same side are "the curve lies above it at every width"; a longer range has the reason of the
+/// fit.
 [[nodiscard]] ThresholdEstimate estimate_in(const LevelInterval& range, const Logistic4Fit& fit,
                                             const std::vector<double>& level_x, const LevelAxis& axis);
 

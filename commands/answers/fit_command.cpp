@@ -171,7 +171,8 @@ std::string remark_on_rates(const JudgedFit* fit, const FitTable& table) {
                               2 * equal.free_parameters - 2 * equal.log_likelihood);
 }
 
-std::string report_of(FitTable& table, const FitArguments& arguments, const FitRequest& request) {
+std::string report_of(FitTable& table, const FitArguments& arguments, FitRequest request) {
+  request.answers_are_yes = arguments.alternatives == 1;
   const FitOptions options = options_of(arguments);
   const bool unasked_rates = arguments.alternatives == 1 && arguments.guess.empty();
   const bool several = !table.groups.empty() || !table.participants.empty();

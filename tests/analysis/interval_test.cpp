@@ -84,7 +84,7 @@ TEST(Interval, PerfectObserversAreAboveEveryWidth) {
   const ArtifactThresholds found =
       estimate_thresholds(everyone_says({4, 4, 4, 4, 4, 4, 4}, 20), {.replicates = 200});
   EXPECT_FALSE(found.estimates.perceptual.level_x);
-  EXPECT_EQ(found.estimates.perceptual.reason, "above at every width");
+  EXPECT_EQ(found.estimates.perceptual.reason, "the curve lies above it at every width");
   EXPECT_EQ(found.estimates.perceptual.ci95.low_x, above_every_level);
   EXPECT_EQ(found.estimates.perceptual.ci95.high_x, above_every_level);
   EXPECT_FALSE(found.estimates.inflection.level_x);

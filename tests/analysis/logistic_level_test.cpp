@@ -36,13 +36,13 @@ TEST(LogisticLevel, IsWhereTheCurveHasTheLevel) {
 
 TEST(LogisticLevel, SaysWhenTheCurveNeverCrosses) {
   EXPECT_EQ(logistic_level_estimate(0.5, fitted({4, 3.8, 3, 2, 1.4, 1.2, 1.1}), octaves).reason,
-            "above at every width");
+            "the curve lies above it at every width");
   EXPECT_EQ(logistic_level_estimate(3.9, fitted({3.5, 3.3, 3, 2, 1.4, 1.2, 1.1}), octaves).reason,
-            "below at every width");
+            "the curve lies below it at every width");
   EXPECT_EQ(logistic_level_estimate(0.5, fitted(std::vector<double>(7, 1.0)), octaves).reason,
-            "above at every width");
+            "the curve lies above it at every width");
   EXPECT_EQ(logistic_level_estimate(1.5, fitted(std::vector<double>(7, 1.0)), octaves).reason,
-            "below at every width");
+            "the curve lies below it at every width");
 }
 
 TEST(LogisticLevel, OfAStepIsTheWholeGap) {

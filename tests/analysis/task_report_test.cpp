@@ -61,6 +61,31 @@ TEST(TaskReport, TwoPeopleWhoSeeAreNotSaidToBeAtChance) {
     EXPECT_EQ(verdict, CurveVerdict::estimated) << word(verdict);
 }
 
+TEST(TaskReport, AnIntervalThatIsOpenOnOneSideIsShownAndSaysWhatToAdd) {
+  TemporaryFolder folder;
+  (void)study::write_set_of_text(folder / "set", study::study_text("tiny", "64, 256, 1024"));
+  study::run_simulated_study({.set_folder = folder / "set",
+                              .log = folder / "log",
+                              .observer = study::ObserverKind::threshold,
+                              .count = 4,
+                              .seed = 1});
+  const Analysis analysis = analyze(study::read_log(folder / "log"), false, {.replicates = 40, .seed = 1});
+  const std::string table = table_text(analysis),
+                    page = report_html(analysis, report_numbers(analysis), {}, {}, {}, {});
+  int open = 0;
+  for (const HeadlineRow& row : headline_rows(analysis)) {
+    if (row.here.level_x || !has_end(row.here.ci95)) continue;
+    ++open;
+    const std::string interval = interval_text(row.here.ci95, row.tested);
+    EXPECT_THAT(interval, testing::AnyOf(HasSubstr(" to above 1024"), HasSubstr("below 64 to ")));
+    EXPECT_THAT(row.here.reason, testing::EndsWith("add people, or levels there"));
+    EXPECT_THAT(table, HasSubstr(row.here.reason + "  "));
+    EXPECT_THAT(table, HasSubstr(interval));
+    EXPECT_THAT(page, HasSubstr(interval + ": " + row.here.reason));
+  }
+  EXPECT_GT(open, 0) << "three levels and four people leave none open: take another seed";
+}
+
 TEST(TaskReport, WithoutRatingsThereIsDetectionAlone) {
   const auto study = task_study(pair_of_repetitions, study::ObserverKind::threshold, 8);
   const Analysis& analysis = study->analysis;

@@ -14,6 +14,7 @@ namespace seamline::analysis {
 /// What `seamline fit` computes beside the fit.
 struct FitRequest {
   std::vector<double> percents = {};  ///< levels of these percentages correct (0 to 100)
+  bool answers_are_yes = false;       ///< "yes" in place of "correct", in texts
   int bootstrap_replicates = 0;       ///< 0: no bootstrap intervals
   int deviance_replicates = 1000;     ///< 0: no p of the deviance
   std::uint64_t seed = 1;

@@ -25,7 +25,7 @@ CsvTable quantities_table(const JudgedFit& report) {
   table.columns.push_back({"remark", "", ""});
   std::vector<FitQuantity> all = quantities(report);
   for (FitQuantity& quantity : percent_quantities(report)) {
-    quantity.name += " % correct";
+    quantity.name += report.request.answers_are_yes ? " % yes" : " % correct";
     all.push_back(quantity);
   }
   for (const FitQuantity& quantity : all) {
@@ -42,10 +42,10 @@ CsvTable quantities_table(const JudgedFit& report) {
   return table;
 }
 
-CsvTable levels_table(const Goodness& goodness) {
+CsvTable levels_table(const Goodness& goodness, bool answers_are_yes) {
   CsvTable table{.name = "levels",
                  .columns = {{"level", "", ""},
-                             {"correct", "", ""},
+                             {answers_are_yes ? "yes" : "correct", "", ""},
                              {"trials", "", ""},
                              {"share", "", ""},
                              {"fitted", "", ""},
@@ -81,7 +81,7 @@ std::string fit_text(const JudgedFit& report) {
   std::string text = fmt::format("Threshold: {}\n\n", report.verdict.text);
   text += markdown_table(quantities_table(report), 5) + "\n";
   if (!fit.levels.empty()) {
-    text += markdown_table(levels_table(report.goodness), 4) + "\n";
+    text += markdown_table(levels_table(report.goodness, report.request.answers_are_yes), 4) + "\n";
     text += fmt::format("{} {} function, {} axis. Log-likelihood {:.4f}, AIC {:.2f}, {}.\n",
                         word(fit.direction), word(fit.options.sigmoid), word(fit.options.axis),
                         fit.log_likelihood, report.goodness.aic, deviance_text(report));

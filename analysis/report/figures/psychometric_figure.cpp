@@ -50,6 +50,12 @@ std::string threshold_mark(const ChoiceCurve& curve, const LevelsDrawn& drawn, c
       number, low, height, high, height, colour);
 }
 
+/// The word of chance stands below its line, above it where the axis would strike it through.
+const char* beside_chance(const TaskWords& words) {
+  constexpr double letters_high = 0.2;  // of an axis from 0 to 1
+  return words.chance < letters_high ? "0,0.55" : "0,-0.55";
+}
+
 /// Where the line of chance stands; of three alternatives as it always was written.
 std::string chance_value(const TaskWords& words) {
   return words.of_three ? "1.0/3" : fmt::format("{:.6g}", words.chance);
@@ -84,14 +90,14 @@ std::string panel_script(const ChoiceCurve& curve, const Panel& panel, std::size
          "unset xlabel\nunset arrow\nset yrange [0:1.04]\nset ytics 0, 0.2, 1\n" + level_tics(drawn, 0) +
          threshold_mark(curve, drawn, colour) +
          fmt::format(
-             "set label 1 '{6}' at {4} offset 0,-0.55 textcolor rgb '{0}'\n"
+             "set label 1 '{6}' at {4} offset {7} textcolor rgb '{0}'\n"
              "plot {5} with lines lc rgb '{0}' lw 1 dt '.' notitle, \\\n"
              "     ${1} using 1:3:4 with filledcurves fs transparent solid 0.22 noborder lc rgb '{2}' "
              "notitle, \\\n"
              "     ${1} using 1:2 with lines lc rgb '{2}' lw 1.4 notitle, \\\n"
              "     ${3} using 1:2:3 with points pt 7 ps variable lc rgb '{2}' notitle\n",
              plot_ink, band, colour, levels, beside_line(drawn.axis, 0.012, chance_height(words)),
-             chance_value(words), words.chance_word) +
+             chance_value(words), words.chance_word, beside_chance(words)) +
          panel_frame(below, drawn, "", "residual") +
          fmt::format(
              "unset title\nunset label 1\nunset arrow\nset yrange [-{1:.3f}:{1:.3f}]\nset ytics -{2}, {2}, "
@@ -130,10 +136,10 @@ std::string condition_panel(const ReportNumbers& numbers, const PanelCurves& of,
   return blocks + panel_frame(panel, drawn, of.title, words.right_choices) +
          fmt::format(
              "set yrange [0:1.04]\nset ytics 0, 0.2, 1\nset key top {1}\n{2}"
-             "set label 1 '{6}' at {3} offset 0,-0.55 textcolor rgb '{0}'\n"
+             "set label 1 '{6}' at {3} offset {7} textcolor rgb '{0}'\n"
              "plot {5} with lines lc rgb '{0}' lw 1 dt '.' notitle{4}\n",
              plot_ink, key_side(drawn.axis), marks, beside_line(drawn.axis, 0.012, chance_height(words)),
-             plots, chance_value(words), words.chance_word);
+             plots, chance_value(words), words.chance_word, beside_chance(words));
 }
 
 std::string caption_of(const Analysis& analysis, bool conditions) {

@@ -36,6 +36,7 @@ tbody tr.group { border-top: 1px solid var(--soft); }
 td.number, th.number { text-align: right; }
 td.number { white-space: normal; max-width: 11rem; }
 table.tight { font-size: .88rem; } .tight th, .tight td { padding-right: .7rem; }
+.tight th, .tight td { white-space: normal; }
 table.tight td.number, table.tight td:last-child { white-space: nowrap; min-width: 0; }
 td.verdict { white-space: normal; color: var(--soft); font-style: italic; max-width: 24rem; }
 tbody .sentence { white-space: normal; font-weight: normal; max-width: 56rem; }

@@ -66,8 +66,8 @@ std::string paper_way_legend(const Analysis& analysis) {
               : html_escape("Levels: " + axis_title(analysis.data.axis) + ". ")) +
          (beside_the_paper(analysis) ? "“–” under paper: the paper gives no value. " : "") +
          (of_depth_widths(analysis.data.axis)
-              ? "Above or below at every width: the curve does not cross the level within the widths tested."
-              : "Above or below at every level: mean noticeability is, and does not cross within the levels "
+              ? "Above or below it at every width: the curve does not cross the level within the widths tested."
+              : "Above or below it at every level: mean noticeability is, and does not cross within the levels "
                 "tested.") +
          "</p>\n";
 }

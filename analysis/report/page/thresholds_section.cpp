@@ -61,6 +61,9 @@ std::string headline_line(const HeadlineRow& row, bool first, const ColumnsShown
     line += cell(size_text(row.here, row.tested.axis)) +
             cell(interval_text(row.here.ci95, row.tested), false) +
             cell(interval_text(row.simultaneous, row.tested), false);
+  else if (has_end(row.here.ci95))
+    line += fmt::format("<td colspan=\"3\" class=\"verdict\">{}: {}</td>",
+                        html_escape(interval_text(row.here.ci95, row.tested)), html_escape(row.here.reason));
   else
     line += fmt::format("<td colspan=\"3\" class=\"verdict\">{}</td>", html_escape(row.here.reason));
   if (widths) line += cell(texels_text(row.here));

@@ -44,9 +44,9 @@ std::string comparisons_text(const Analysis& analysis, const ReportNumbers& numb
     for (const std::string& sentence : joint_check_sentences(analysis)) text += sentence + "\n";
     return text;
   }
-  std::string text = "Comparisons (joint model, adjusted p):\n";
+  std::string text;
   for (const std::string& sentence : joint_conclusions(analysis, numbers)) text += "  " + sentence + "\n";
-  text += "\n";
+  if (!text.empty()) text = "Comparisons (joint model, adjusted p):\n" + text + "\n";
   for (const std::string& sentence : joint_check_sentences(analysis)) text += sentence + "\n";
   return text + trend_sentence(numbers.order) + "\n";
 }

@@ -41,6 +41,10 @@ std::string size_text(const ThresholdEstimate& estimate, const LevelAxis& axis, 
   return fmt::format("{:.0f} {} {:.0f}", width_px, times, width_px / 2);
 }
 
+bool has_end(const LevelInterval& interval) {
+  return std::isfinite(interval.low_x) || std::isfinite(interval.high_x);
+}
+
 std::string interval_text(const LevelInterval& interval, const TestedLevels& tested) {
   const LevelRange range = range_at(tested.axis, interval);
   const std::string low = edge_text(range.low, tested);
@@ -81,7 +85,7 @@ std::vector<std::vector<std::string>> headline_lines(const Analysis& analysis, b
     const bool first = last == nullptr || last->artifact != row.artifact || last->condition != row.condition;
     lines.push_back({first ? artifact_title(row.artifact, row.condition) : "", row.rule->name,
                      size_text(row.here, row.tested.axis, "x"),
-                     row.here.level_x ? interval_text(row.here.ci95, row.tested) : ""});
+                     has_end(row.here.ci95) ? interval_text(row.here.ci95, row.tested) : ""});
     if (papers_way)
       lines.back().push_back(
           row.paper_way

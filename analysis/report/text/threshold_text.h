@@ -15,6 +15,9 @@ namespace seamline::analysis {
 [[nodiscard]] std::string size_text(const ThresholdEstimate& estimate, const LevelAxis& axis,
                                     const std::string& times = "×");
 
+/// Whether an interval excludes anything: one that ends on one side at least is shown.
+[[nodiscard]] bool has_end(const LevelInterval& interval);
+
 /// "380 to 470", "380 to above 4096", "below 64 to 90", "above 4096": a bound beyond the tested levels is
 /// said in words.
 [[nodiscard]] std::string interval_text(const LevelInterval& interval, const TestedLevels& tested);
