@@ -28,6 +28,7 @@
 #include "analysis/report/text/numbers_text.h"
 #include "analysis/report/text/scenes_text.h"
 #include "analysis/report/text/threshold_text.h"
+#include "analysis/report_folder.h"
 #include "analysis/screening/late_marks.h"
 #include "stimuli/definition/methods/analysis_definition.h"
 #include "stimuli/definition/parts/task_definition.h"
@@ -260,8 +261,16 @@ AnalysisSummary analyze_log(const AnalysisRequest& request) {
                                      : request_name("no_seam_at") + " LEVEL beside it",
                        .found = "it alone"});
   require_shared_blocks(request.own);
+  require_report_folder(request.report_folder);
   study::LogContents log = study::read_log(request.log);
-  return log.own_tasks.empty() ? analyze_one(std::move(log), request) : analyze_by_task(log, request);
+  const TemporaryFolder made;
+  AnalysisRequest asked = request;
+  asked.report_folder = made / "report";
+  AnalysisSummary summary =
+      log.own_tasks.empty() ? analyze_one(std::move(log), asked) : analyze_by_task(log, asked);
+  renew_report(request.report_folder, asked.report_folder);
+  summary.report_html = request.report_folder / "report.html";
+  return summary;
 }
 
 }  // namespace seamline::analysis

@@ -41,7 +41,7 @@ struct AnalysisSummary {
 /// Reads the log, computes everything and writes the report folder: report.html, thresholds.json, report.json
 /// with every table, the same tables as CSV files with their data dictionary, methods.txt, figures as SVG.
 /// Throws InputError when the log is wrong, nobody in it can be used, gnuplot is missing, or the folder
-/// cannot be written; nothing is written before the first three are known.
+/// cannot be written or has other things in it; nothing is written before the report is whole.
 [[nodiscard]] AnalysisSummary analyze_log(const AnalysisRequest& request);
 
 }  // namespace seamline::analysis

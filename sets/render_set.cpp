@@ -65,6 +65,7 @@ class SetRenderer {
 
   RenderSummary run() {
     const Stopwatch watch;
+    require_set_folder(request_.set_folder);
     earlier_stimuli_ = stimuli_listed(request_.set_folder, study_);
     work_ = find_work(study_, request_, hashes_, records_);
     summary_.already_finished = work_.already_finished;
@@ -72,7 +73,7 @@ class SetRenderer {
     if (request_.part == JobPart::truth) work_.pending.clear(), work_.of_object.clear();
     if (request_.part == JobPart::join) require_nothing_pending(work_, request_.set_folder);
     for (const SceneDefinition& truth : truths_) load_and_check(truth);
-    for (const char* part : {"stimuli", "references", "records"})
+    for (const char* part : {"records", "stimuli", "references"})
       prepare_output_folder(request_.set_folder / part);
     const SetClaim claim(request_.set_folder, hashes_.of_set());
     if (!request_.element.empty()) {

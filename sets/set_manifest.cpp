@@ -7,6 +7,7 @@
 #include "renderer/transport/light_facts.h"
 #include "support/files/assets.h"
 #include "support/text/error.h"
+#include "support/text/request_name.h"
 
 namespace seamline::renderer {
 namespace {
@@ -51,6 +52,22 @@ Manifest set_manifest(const SetState& set, std::map<std::string, LightFacts>& li
       out.references.push_back(*reference);
   out.left_out = sentences(plan_of(scenes, set, lights));
   return out;
+}
+
+void require_set_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  if (!std::filesystem::is_directory(folder, error)) return;
+  bool has_others = false;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (name == "manifest.json" || name == "records") return;
+    has_others = has_others || !name.starts_with(".");  // a probe of another process, a mount's own
+  }
+  if (has_others)
+    throw input_error({.file = folder.string(),
+                       .field = request_name("out"),
+                       .wanted = "a new or an empty folder, or one with a set",
+                       .found = "a folder with other things in it"});
 }
 
 std::size_t stimuli_listed(const std::filesystem::path& set_folder, const StudyDefinition& study) {

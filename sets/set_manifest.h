@@ -23,6 +23,10 @@ struct SetState {
 /// the facts of scenes loaded so far; those of scenes that were finished earlier are added.
 [[nodiscard]] Manifest set_manifest(const SetState& set, std::map<std::string, LightFacts>& lights);
 
+/// Throws InputError unless a set may be rendered into the folder: it is not there, empty, or a set or a
+/// begun one (with `records`).
+void require_set_folder(const std::filesystem::path& folder);
+
 /// How many stimuli the manifest in a folder lists; 0 where there is none. Throws InputError for a set of
 /// another study.
 [[nodiscard]] std::size_t stimuli_listed(const std::filesystem::path& set_folder,

@@ -2,12 +2,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "analysis/analyze_log.h"
 #include "analysis/by_task/log_of_task.h"
 #include "analysis/foresight/plan_study.h"
 #include "analysis/log_analysis/analysis.h"
+#include "analysis/report_folder.h"
 #include "study/running/simulation.h"
 #include "support/files/atomic_file.h"
 #include "tests/complaint.h"
@@ -82,6 +84,34 @@ TEST_F(ConditionTasksReport, EveryTaskHasAReportAndOnePageLeadsToThem) {
         (void)analyze_log({.log = folder / "log", .report_folder = folder / "other", .published = "paper"});
       }),
       testing::HasSubstr("one question"));
+}
+
+TEST_F(ConditionTasksReport, ARenewedReportHasNothingOfTheEarlierOneAndKeepsWhatIsNotItsOwn) {
+  namespace fs = std::filesystem;
+  const fs::path report = folder / "report", earlier = folder / "earlier", later = folder / "later";
+  for (const fs::path& made : {earlier / "figures", earlier / "asked", later}) fs::create_directories(made);
+  write_file_atomically(earlier / "figures" / "old.svg", "old");
+  write_file_atomically(earlier / "asked" / "report.html", "old");
+  write_file_atomically(earlier / "report.html", "old");
+  write_file_atomically(later / "report.html", "new");
+  require_report_folder(report);
+  renew_report(report, earlier);
+  write_file_atomically(report / "figures" / "mine.svg", "mine");
+  require_report_folder(report);
+  renew_report(report, later);
+  EXPECT_EQ(read_file(report / "report.html"), "new");
+  EXPECT_EQ(read_file(report / report_list_name), "report.html\n");
+  EXPECT_FALSE(fs::exists(report / "figures" / "old.svg"));
+  EXPECT_FALSE(fs::exists(report / "asked"));
+  EXPECT_EQ(read_file(report / "figures" / "mine.svg"), "mine");
+  // A list that leads elsewhere removes nothing there.
+  write_file_atomically(report / report_list_name, "report.html\n../later/report.html\n/etc/hostname\n");
+  renew_report(report, earlier);
+  EXPECT_TRUE(fs::exists(later / "report.html"));
+  // What no analysis made is left alone.
+  EXPECT_THAT(test::complaint_of([&] { (void)analyze_log({.log = folder / "log", .report_folder = later}); }),
+              testing::HasSubstr("found a folder with other things in it"));
+  EXPECT_EQ(read_file(later / "report.html"), "new");
 }
 
 TEST_F(ConditionTasksReport, APlanIsOfTheConditionsThatAskTheSame) {

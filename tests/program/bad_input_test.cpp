@@ -67,6 +67,16 @@ TEST(BadInput, ArtifactGivenTwice) {
       {"position_m"});
 }
 
+TEST(BadInput, AFolderWithOtherThingsIsNoPlaceForASetOrAReport) {
+  const auto folder = fresh_folder("bad-full");
+  const auto out = (folder / "out").string();
+  std::filesystem::create_directories(out);
+  write_text(folder / "out" / "letter.txt", "mine");
+  expect_complaint(run_seamline("render " + (test::studies() / "quick.toml").string() + " --out " + out),
+                   {"--out", "wanted a new or an empty folder, or one with a set"});
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(out), {}), 1);
+}
+
 TEST(BadInput, FileNamesThatNoFileSystemHolds) {
   expect_complaint(run_seamline("render " + std::string(400, 'x') + ".toml --dry-run"), {"xxx"});
 }
