@@ -44,7 +44,8 @@ void run_tables(const TablesOptions& options) {
        .out_folder = options.folder,
        .anonymise_k = options.anonymise ? std::optional(options.k.value_or(usual_k)) : std::nullopt,
        .layout = layout_of(options.layout)});
-  fmt::print("{}: {} answers of {} participants\n", options.folder, summary.answers, summary.participants);
+  fmt::print("{}: {} answers of {} participant{}\n", options.folder, summary.answers, summary.participants,
+             summary.participants == 1 ? "" : "s");
   if (!summary.anonymity) return;
   const Anonymity& anonymity = *summary.anonymity;
   const auto of_people = [](const GroupedField& field) { return field.smallest_group > 0; };

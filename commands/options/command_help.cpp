@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <regex>
 #include <sstream>
 
 #include "support/text/suggest.h"
@@ -24,11 +25,12 @@ std::vector<CLI::App*> subcommands(CLI::App& app) {
 std::string wrapped(const std::string& text, std::size_t column, std::size_t indent) {
   std::string out;
   std::istringstream words(text);
-  for (std::string word; words >> word;) {
-    if (column > indent && column + 1 + word.size() > line_letters) {
+  bool begins_line = true;
+  for (std::string word; words >> word; begins_line = false) {
+    if (!begins_line && column + 1 + word.size() > line_letters) {
       out += "\n" + std::string(indent, ' ');
       column = indent;
-    } else if (column > indent) {
+    } else if (!begins_line) {
       out += " ";
       ++column;
     }
@@ -103,6 +105,18 @@ std::string meant(const std::string& typed, const std::vector<std::string>& know
   return nearest.empty() ? std::string() : "; did you mean " + nearest + "?";
 }
 
+/// What CLI11 says of an option given too often, in words.
+std::string counted_in_words(const std::string& why) {
+  static const std::regex too_often("(.*): At Most ([0-9]+) required but received ([0-9]+)");
+  std::smatch parts;
+  if (!std::regex_match(why, parts, too_often)) return why;
+  if (parts[2] != "1")
+    return fmt::format("{}: wanted at most {} values, found {}", parts[1].str(), parts[2].str(),
+                       parts[3].str());
+  return fmt::format("{}: wanted once, found {}", parts[1].str(),
+                     parts[3] == "2" ? "twice" : parts[3].str() + " times");
+}
+
 }  // namespace
 
 void group_options(CLI::App& command, std::initializer_list<OptionGroup> groups) {
@@ -126,7 +140,7 @@ std::vector<NamedCommand> every_command(CLI::App& program) {
 }
 
 std::string refusal_of_arguments(CLI::App& program, const CLI::ParseError& error) {
-  const std::string why = error.what();
+  const std::string why = counted_in_words(error.what());
   CLI::App& command = innermost(program);
   const std::vector<std::string> rest = program.remaining(true);
   std::vector<std::string> names;

@@ -117,8 +117,8 @@ void run_verify(const std::string& set) {
   (void)study_of_set(set, manifest);
   check_manifest_pictures(set, manifest);
   check_clips(set);
-  fmt::print("{}: {} stimuli and {} references are as the manifest says\n", set, manifest.stimuli.size(),
-             manifest.references.size());
+  fmt::print("{}: {} stimuli and {} reference{} are as the manifest says\n", set, manifest.stimuli.size(),
+             manifest.references.size(), manifest.references.size() == 1 ? "" : "s");
 }
 
 }  // namespace

@@ -28,7 +28,10 @@ std::string shown(const toml::node& node) {
     } else if constexpr (toml::is_table<decltype(value)>) {
       out << "a table";
     } else if constexpr (toml::is_array<decltype(value)>) {
-      out << "an array of " << value.size();
+      out << (value.empty() ? "an empty array" : fmt::format("an array of {}", value.size()));
+    } else if constexpr (toml::is_floating_point<decltype(value)>) {
+      const std::string shortest = fmt::format("{}", value.get());  // that reads as the same number
+      out << shortest << (shortest.find_first_not_of("-0123456789") == std::string::npos ? ".0" : "");
     } else {
       out << value;
     }

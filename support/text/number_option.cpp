@@ -37,7 +37,8 @@ bool is_decimal_inside(const std::string& text, NumberRange range) {
 }
 
 std::string range_words(NumberRange range) {
-  return fmt::format("{} to {}{}{}", range.least, range.most, range.unit.empty() ? "" : " ", range.unit);
+  const std::string from = " from ", text = range_text("", range);
+  return text.starts_with(from) ? text.substr(from.size()) : text;
 }
 
 std::string field_of(const CLI::Option& option) {

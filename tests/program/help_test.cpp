@@ -54,6 +54,15 @@ TEST(Help, OfACompositeShowsCommonOptionsOnTwoScreensAndAllWhereAsked) {
   EXPECT_THAT(all, HasSubstr("--keep-sun"));
 }
 
+TEST(Help, WordsOfShortNamesStandApartAndCountsAreSaidInWords) {
+  EXPECT_THAT(run_seamline("predict --help").output, HasSubstr("  set TEXT"));
+  const std::string analyze = run_seamline("analyze --help").output;
+  EXPECT_THAT(analyze, HasSubstr("  log TEXT REQUIRED"));
+  EXPECT_THAT(analyze, HasSubstr("INTEGER:0 to 18446744073709551615=1"));
+  EXPECT_THAT(run_seamline("analyze log.sqlite --out a --out b").output,
+              HasSubstr("--out: wanted once, found twice"));
+}
+
 /// Long names of options that --help or --help-all shows.
 TEST(Help, EveryOptionIsShownByHelpAll) {
   bool failed = false;
