@@ -55,8 +55,12 @@ const tests = {
     const host = await staticHost(folderOf("tiny"));
     await visiting(host.address, async (page) => {
       const seen = await actUntil(page, ["thanks"], { mouse: true });
+      const asked = await page.textContent("#study");
+      assert.match(asked, /on this computer only. Save them/);
+      assert.doesNotMatch(asked, /are stored|experimenter/, "nobody has the answers yet");
       const [download] = await Promise.all([page.waitForEvent("download"), page.click("#save")]);
       assert.equal(download.suggestedFilename(), seen.participant + ".jsonl");
+      await page.getByText("Please tell the experimenter").waitFor(); // once they are saved
       assert.match(seen.participant, /^w-[a-z2-7]{16}$/);
       const messages = messagesOf(readFileSync(await download.path(), "utf8").trimEnd().split("\n"), seen.participant);
       assert.equal(messages[0].body.origin, "static");

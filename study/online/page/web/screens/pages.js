@@ -115,15 +115,16 @@ export const codeWords = (app) =>
 /** Where nobody but this browser has the answers: a way to take them out, at any time. */
 const saveWords = (app) => (app.host.kind === "static" ? saving(app, "online_save_text") : []);
 
-function saving(app, words) {
-  const said = element("p", { class: "note", role: "status" });
+/** `words` say why; without any, the page says it above, and thanks once they are saved. */
+function saving(app, words = "") {
+  const said = element("div", { class: "note", role: "status" });
   const save = async () => {
     const file = await app.saveAnswers();
-    said.textContent = app.phrase("online_saved", { file });
+    said.replaceChildren(element("p", {}, app.phrase("online_saved", { file })));
+    if (words === "") said.append(...paragraphs(app.phrase("thanks_text")));
   };
   return [
-    element("hr"),
-    element("p", { class: "note" }, app.phrase(words)),
+    ...(words === "" ? [] : [element("hr"), element("p", { class: "note" }, app.phrase(words))]),
     buttonRow([{ text: app.phrase("online_save"), id: "save", action: save }]),
     said,
   ];
@@ -184,7 +185,10 @@ export const drawEnded = (app, display) => drawEnd(app, display, "recruitment_en
 
 export function drawThanks(app, display) {
   if (app.end) return drawEnd(app, display, "thanks_title");
-  drawLast(app, display, app.phrase("thanks_title"), app.phrase("thanks_text"), [...codeWords(app), ...saveWords(app)]);
+  if (app.host.kind === "static" && !app.saved) {
+    // Nobody has the answers yet: the page asks for them first, and thanks once they are saved.
+    drawLast(app, display, app.phrase("thanks_title"), app.phrase("online_save_text"), [...codeWords(app), ...saving(app)]);
+  } else drawLast(app, display, app.phrase("thanks_title"), app.phrase("thanks_text"), [...codeWords(app), ...saveWords(app)]);
   app.focus("#save");
 }
 
