@@ -104,9 +104,10 @@ std::string status_text(const LogContents& log) {
   std::size_t width = 4;
   for (const ParticipantRecord& participant : log.participants)
     width = std::max(width, participant.code.size());
-  std::string text = fmt::format("{}: study {}, {} participants, {} answers, {} forgotten, {} declined\n",
+  std::string text = fmt::format("{}: study {}, {} participant{}, {} answers, {} forgotten, {} declined\n",
                                  log.file.string(), log.study_name, log.participants.size(),
-                                 log.answers.size(), log.forgotten_participants, log.declined_visits);
+                                 log.participants.size() == 1 ? "" : "s", log.answers.size(),
+                                 log.forgotten_participants, log.declined_visits);
   for (const ParticipantRecord& participant : log.participants) {
     const AnswerCounts& own = done[participant.code];
     text += fmt::format("{:<{}}  {:<22}  {:>4} of {:>4}  {:<10}{}\n", participant.code, width,

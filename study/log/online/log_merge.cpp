@@ -313,8 +313,9 @@ std::vector<MergedLog> merge_logs(const fs::path& into, const std::vector<fs::pa
 std::string merge_text(const std::vector<MergedLog>& merged, const fs::path& into) {
   std::string text;
   for (const MergedLog& one : merged)
-    text += fmt::format("{}: {} participants added, {} extended, {} known before, into {}\n",
-                        one.from.string(), one.added.size(), one.extended.size(), one.known, into.string());
+    text += fmt::format("{}: {} participant{} added, {} extended, {} known before, into {}\n",
+                        one.from.string(), one.added.size(), one.added.size() == 1 ? "" : "s",
+                        one.extended.size(), one.known, into.string());
   for (const MergedLog& one : merged)
     if (one.other_observer > 0)
       text += fmt::format(
