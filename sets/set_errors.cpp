@@ -203,6 +203,21 @@ std::vector<std::string> sentences_on_rare_light(const SetErrors& errors) {
       rare, errors.rows.size(), examples, rare > 3 ? " ..." : "", request_name("true_error"))};
 }
 
+std::vector<std::string> sentences_on_noisy_references(const SetErrors& errors) {
+  std::string examples;
+  int noisy = 0, spp = 0;
+  for (const StimulusErrorRow& row : errors.rows)
+    if (row.measured && row.measured->noisy_reference) {
+      if (++noisy <= 3) examples += fmt::format("{}{}", noisy > 1 ? ", " : "", row.id);
+      spp = std::max(spp, row.measured->reference_spp);
+    }
+  if (noisy == 0) return {};
+  return {fmt::format(
+      "Noisy references: the true errors of {} of {} measured stimuli are more the references' own: {}{}. "
+      "They are too large. Measure them again with {} {}.",
+      noisy, errors.measured(), examples, noisy > 3 ? " ..." : "", request_name("true_error_spp"), 4 * spp)};
+}
+
 std::vector<std::string> sentences_on_changes(const SetErrors& errors) {
   const StimulusErrorRow* worst = nullptr;
   int known = 0, changes = 0;

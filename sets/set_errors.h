@@ -61,6 +61,10 @@ struct SetErrors {
 /// none do.
 [[nodiscard]] std::vector<std::string> sentences_on_rare_light(const SetErrors& errors);
 
+/// Which true errors are too large, because their references have too few samples, and what to do. Empty
+/// where none are.
+[[nodiscard]] std::vector<std::string> sentences_on_noisy_references(const SetErrors& errors);
+
 /// What is known of the error of clips, over their frames and of the changes between them. Empty of stills.
 [[nodiscard]] std::vector<std::string> sentences_on_changes(const SetErrors& errors);
 

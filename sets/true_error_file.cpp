@@ -24,6 +24,7 @@ TrueErrors read_true_errors(const std::filesystem::path& set_folder) {
       errors[line.at("id").get<std::string>()] = {.rmse = line.at("rmse").get<double>(),
                                                   .standard_error = line.at("standard_error").get<double>(),
                                                   .worst_tile = line.at("worst_tile").get<double>(),
+                                                  .noisy_reference = line.value("noisy_reference", false),
                                                   .reference_spp = line.at("reference_spp").get<int>(),
                                                   .picture_sha256 = line.at("sha256").get<std::string>()};
   } catch (const Json::exception&) {
@@ -39,6 +40,7 @@ void write_true_errors(const std::filesystem::path& set_folder, const TrueErrors
                      {"rmse", error.rmse},
                      {"standard_error", error.standard_error},
                      {"worst_tile", error.worst_tile},
+                     {"noisy_reference", error.noisy_reference},
                      {"reference_spp", error.reference_spp},
                      {"sha256", error.picture_sha256}});
   const Json json = {{"format", file_format},

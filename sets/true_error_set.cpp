@@ -145,6 +145,7 @@ class ErrorMeasuring {
     const TrueErrorRecord result{.rmse = error.rmse(),
                                  .standard_error = error.standard_error(),
                                  .worst_tile = error.worst_tile_rmse(),
+                                 .noisy_reference = error.reference_is_noisy(),
                                  .reference_spp = request_.spp,
                                  .picture_sha256 = record.sha256};
     write_png(

@@ -21,9 +21,10 @@ struct TrueErrorRequest {
 struct TrueErrorRecord {
   double rmse = 0;
   double standard_error = 0;
-  double worst_tile = 0;       ///< of the worst 32 x 32 tile
-  int reference_spp = 0;       ///< of the `path` reference it was measured against
-  std::string picture_sha256;  ///< of the picture that was measured
+  double worst_tile = 0;         ///< of the worst 32 x 32 tile
+  bool noisy_reference = false;  ///< `TrueError::reference_is_noisy`
+  int reference_spp = 0;         ///< of the `path` reference it was measured against
+  std::string picture_sha256;    ///< of the picture that was measured
 };
 using TrueErrors = std::map<std::string, TrueErrorRecord>;  ///< by stimulus id
 

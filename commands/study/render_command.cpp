@@ -142,6 +142,8 @@ void say_of_whole_set(const StudyDefinition& study, const RenderRequest& request
     fmt::print("{}\n", said);
   for (const std::string& said : sentences_on_rare_light(read_set_errors(request.set_folder)))
     fmt::print("{}\n", said);
+  for (const std::string& said : sentences_on_noisy_references(read_set_errors(request.set_folder)))
+    fmt::print("{}\n", said);
   for (const std::string& said : notes_on_levels(study)) fmt::print("{}\n", said);
   const Manifest manifest = read_manifest(request.set_folder);
   for (const std::string& said : sentences(holes_of_set(manifest))) fmt::print("{}\n", said);

@@ -59,6 +59,11 @@ double TrueError::standard_error() const {
   return rmse() > 0 ? std::min(largest, squared_standard_error / (2 * rmse())) : largest;
 }
 
+bool TrueError::reference_is_noisy() const {
+  constexpr double much = 0.2;
+  return std::abs(squared - squared_with_rare_light) > much * std::abs(squared);
+}
+
 int TrueError::worst_tile() const {
   return static_cast<int>(std::max_element(tiles.begin(), tiles.end()) - tiles.begin());
 }
@@ -84,6 +89,24 @@ double slope_of_error(float shown, float reference) {
   return secant > apart * tangent || tangent > apart * secant ? secant : tangent;
 }
 
+/// Light of the two halves of a value, and the reference's light by which the curve's slope is asked.
+struct HalvesLight {
+  float first, second, both;
+};
+
+/// White ends light.
+HalvesLight cut_at_white(float first, float second, float) {
+  const float cut_first = std::min(1.0F, first), cut_second = std::min(1.0F, second);
+  return {cut_first, cut_second, 0.5F * (cut_first + cut_second)};
+}
+
+/// White ends light where both halves are beyond it. Rare light that one half alone has met is kept.
+HalvesLight keep_rare_light(float first, float second, float shown) {
+  if (first >= 1 && second >= 1) return {1.0F, 1.0F, 1.0F};
+  const bool first_is_nearer = std::abs(first - shown) < std::abs(second - shown);
+  return {first, second, std::min(1.0F, first_is_nearer ? first : second)};
+}
+
 }  // namespace
 
 TrueError true_error(const ByteImage& shown, const ReferenceHalves& reference, double exposure_ev,
@@ -94,21 +117,25 @@ TrueError true_error(const ByteImage& shown, const ReferenceHalves& reference, d
   std::array<float, 256> linear{};
   for (std::size_t code = 0; code < linear.size(); ++code)
     linear[code] = linear_from_srgb(static_cast<float>(code) / 255.0F);
-  return mean_over_tiles(
-      {shown.width_px, shown.height_px, panorama},
-      [&](int x, int y) {
-        double sum = 0;
-        for (int c = 0; c < 3; ++c) {
-          const std::size_t code = shown.values[reference[0].index(x, y) + static_cast<std::size_t>(c)];
-          const float first = std::min(1.0F, reference[0].at(x, y, c) * gain);
-          const float second = std::min(1.0F, reference[1].at(x, y, c) * gain);
-          const double slope = slope_of_error(linear[code], 0.5F * (first + second));
-          sum += slope * slope * (double{linear[code]} - double{first}) *
-                 (double{linear[code]} - double{second});
-        }
-        return sum;
-      },
-      [](int, int) { return 3; });
+  const auto error_with = [&](const auto& light_of) {
+    return mean_over_tiles(
+        {shown.width_px, shown.height_px, panorama},
+        [&](int x, int y) {
+          double sum = 0;
+          for (int c = 0; c < 3; ++c) {
+            const float at = linear[shown.values[reference[0].index(x, y) + static_cast<std::size_t>(c)]];
+            const HalvesLight light =
+                light_of(reference[0].at(x, y, c) * gain, reference[1].at(x, y, c) * gain, at);
+            const double slope = slope_of_error(at, light.both);
+            sum += slope * slope * (double{at} - double{light.first}) * (double{at} - double{light.second});
+          }
+          return sum;
+        },
+        [](int, int) { return 3; });
+  };
+  TrueError error = error_with(cut_at_white);
+  error.squared_with_rare_light = error_with(keep_rare_light).squared;
+  return error;
 }
 
 TrueError true_linear_error(const Image& picture, const ReferenceHalves& reference, const Image& mask) {

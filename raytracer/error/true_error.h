@@ -17,6 +17,13 @@ struct TrueError {
   double squared = 0;                 ///< over the image
   double squared_standard_error = 0;  ///< from how much the tiles differ
   std::vector<double> tiles = {};     ///< the same as `squared` in each 32 x 32 tile
+  /// `squared` with light beyond white that one half of a reference alone has met. Cutting it off leaves the
+  /// values that have not met it too dark, and `squared` too large; keeping it makes too small what few
+  /// samples say. With enough samples of the reference they are equal. 0 of linear errors.
+  double squared_with_rare_light = 0;
+
+  /// Whether the two differ by more than a fifth: `squared` is more the reference's error than the picture's.
+  [[nodiscard]] bool reference_is_noisy() const;
 
   [[nodiscard]] double rmse() const;            ///< 0 where `squared` is below 0
   [[nodiscard]] double standard_error() const;  ///< of `rmse`

@@ -177,16 +177,9 @@ std::string row_text(const StimulusErrorRow& row) {
       m ? fmt::format("{:.4f}", m->worst_tile) : "&ndash;");
 }
 
-std::string rare_light(const SetErrors& errors) {
+std::string paragraphs(const std::vector<std::string>& sentences) {
   std::string text;
-  for (const std::string& said : sentences_on_rare_light(errors))
-    text += "<p>" + html_escape(said) + "</p>\n";
-  return text;
-}
-
-std::string changes(const SetErrors& errors) {
-  std::string text;
-  for (const std::string& said : sentences_on_changes(errors)) text += "<p>" + html_escape(said) + "</p>\n";
+  for (const std::string& said : sentences) text += "<p>" + html_escape(said) + "</p>\n";
   return text;
 }
 
@@ -246,7 +239,9 @@ void write_errors_page(const fs::path& set_folder) {
               "error is against the path estimator with another seed, without that reference's noise, plus "
               "or minus its standard error; the rounding to 8 bits (0.0011) is part of it. A true error "
               "above its estimate is in orange.</p>\n" +
-              rare_light(errors) + changes(errors) + table(errors) + worst_tiles(set_folder, errors)));
+              paragraphs(sentences_on_rare_light(errors)) +
+              paragraphs(sentences_on_noisy_references(errors)) + paragraphs(sentences_on_changes(errors)) +
+              table(errors) + worst_tiles(set_folder, errors)));
 }
 
 }  // namespace seamline::renderer

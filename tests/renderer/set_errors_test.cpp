@@ -42,5 +42,19 @@ TEST(SetErrors, AnErrorThatHangsOnAFewPixelsIsSaidToBeAGuess) {
   EXPECT_THAT(said[0], testing::HasSubstr("of 1 of 2 stimuli is in one pixel of 500: stimulus-2 (81 %)"));
 }
 
+TEST(SetErrors, ATrueErrorThatIsTheReferencesOwnAsksForMoreSamples) {
+  SetErrors errors = errors_of({{0.01, 0.02}, {0.01, 0.02}});
+  errors.rows[0].measured.emplace().rmse = 0.01;
+  EXPECT_TRUE(sentences_on_noisy_references(errors).empty());
+  TrueErrorRecord& noisy = errors.rows[1].measured.emplace();
+  noisy.noisy_reference = true;
+  noisy.reference_spp = 64;
+  const std::vector<std::string> said = sentences_on_noisy_references(errors);
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_THAT(said[0],
+              testing::HasSubstr("of 1 of 2 measured stimuli are more the references' own: stimulus-2."));
+  EXPECT_THAT(said[0], testing::EndsWith(" 256."));
+}
+
 }  // namespace
 }  // namespace seamline::renderer

@@ -76,6 +76,28 @@ TEST(TrueError, ExposureIsUndoneAndReferencesBeyondWhiteAreWhite) {
   EXPECT_EQ(true_error(planted.shown, planted.reference, 1).squared, 0);
 }
 
+/// References that have a twentieth of their light from one sample in `one_in`, far beyond white where it is
+/// rare: all others are too dark by that twentieth, and no picture is at fault.
+TrueError error_of_rare_light(double one_in) {
+  constexpr double share = 0.05;
+  Planted planted = plant(0.004, 0, 1);
+  Random random(101);
+  for (Image& half : planted.reference)
+    for (float& value : half.values)
+      value *= static_cast<float>(1 - share + (random.uniform() * one_in < 1 ? share * one_in : 0));
+  return true_error(planted.shown, planted.reference, 0);
+}
+
+TEST(TrueError, AReferenceOfRareLightSaysThatItIsNoisy) {
+  const TrueError rare = error_of_rare_light(200);
+  EXPECT_TRUE(rare.reference_is_noisy());
+  EXPECT_GT(rare.rmse(), 2 * 0.004) << "the error is said with the reference's own";
+  EXPECT_LT(rare.squared_with_rare_light, rare.squared);
+  const TrueError often = error_of_rare_light(2);
+  EXPECT_FALSE(often.reference_is_noisy());
+  EXPECT_NEAR(often.rmse(), 0.004, 4 * often.standard_error());
+}
+
 /// An error is the difference of what is shown, however large: never more than 1, and as much of a black
 /// picture that should be white as of a white one that should be black.
 TEST(TrueError, ALargeErrorIsTheDifferenceOnTheDisplay) {
