@@ -49,7 +49,7 @@ class RecordedThresholds {
     const nlohmann::json& threshold = found_[key];
     if (const auto estimate = number_in(threshold.value("estimate", nlohmann::json()))) return estimate;
     const std::string reason = reason_of(threshold);
-    if (!reason.starts_with("below") && !reason.starts_with("at the levels easiest to see"))
+    if (reason.find("below") == std::string::npos && !reason.starts_with("at the levels easiest to see"))
       return std::nullopt;
     std::optional<double> width_px = smallest_tested(artifact_);
     const nlohmann::json interval = threshold.value("ci95", nlohmann::json());

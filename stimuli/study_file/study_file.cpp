@@ -217,7 +217,7 @@ StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& fol
                            study.clip != nullptr);
   if (check == AssetCheck::must_exist) find_depth_files(study, folders);
   check_level_is_seen(table, study);
-  check_tolerance_is_used(table, study);
+  if (refuses_idle(assets)) check_tolerance_is_used(table, study);
   check_mesh_albedo_is_seen(table, study);
   check_mitigations_are_seen(table, study);
   check_pipelines_are_seen(table, study);
@@ -257,9 +257,9 @@ StudyDefinition read_study(const std::filesystem::path& path, AssetCheck assets,
   return read_study_table(TomlTable::read(path), {.study_file = path, .asset_root = asset_root}, assets);
 }
 
-StudyDefinition read_study_text(const std::string& text, const std::filesystem::path& said_to_be) {
-  return read_study_table(TomlTable::parse(text, said_to_be), {.study_file = said_to_be},
-                          AssetCheck::not_needed);
+StudyDefinition read_study_text(const std::string& text, const std::filesystem::path& said_to_be,
+                                AssetCheck assets) {
+  return read_study_table(TomlTable::parse(text, said_to_be), {.study_file = said_to_be}, assets);
 }
 
 AnalysisDefinition read_analysis_text(const std::string& text, const std::filesystem::path& said_to_be) {

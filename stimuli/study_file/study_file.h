@@ -9,10 +9,17 @@ namespace seamline::inline stimuli {
 
 /// What a reader of a study file needs of the files it names.
 enum class AssetCheck {
-  must_exist,    ///< rendering: every named file must be there
-  not_needed,    ///< sessions and analysis: only the definition is read
-  all_but_depth  ///< photographs for an estimator, whose depth maps are not there yet
+  must_exist,     ///< rendering: every named file must be there
+  not_needed,     ///< sessions and analysis: only the definition is read
+  all_but_depth,  ///< photographs for an estimator, whose depth maps are not there yet
+  kept            ///< `not_needed`, of a set or a log: what earlier versions accepted is read
 };
+
+/// Whether settings that change nothing are refused. Earlier versions accepted some of them, so sets and logs
+/// that are there have them, and stay readable.
+[[nodiscard]] constexpr bool refuses_idle(AssetCheck assets) {
+  return assets != AssetCheck::kept;
+}
 
 /// Reads a study file (TOML, `format = "seamline study 1"`). Strict: an unknown or misspelt key, a wrong type
 /// or unit and an impossible value are each an InputError naming file, key, what was wanted and what was
@@ -24,7 +31,8 @@ enum class AssetCheck {
 /// The same for a study file's text that is kept elsewhere (a log keeps one); the files it names are not
 /// looked for, and complaints name `said_to_be`.
 [[nodiscard]] StudyDefinition read_study_text(const std::string& text,
-                                              const std::filesystem::path& said_to_be);
+                                              const std::filesystem::path& said_to_be,
+                                              AssetCheck assets = AssetCheck::kept);
 
 /// `[analysis]` of a study file's text; what is usual where it has none. The rest is not looked at.
 [[nodiscard]] AnalysisDefinition read_analysis_text(const std::string& text,

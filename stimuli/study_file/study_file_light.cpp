@@ -96,7 +96,7 @@ void read_light(const TomlTable& table, const AssetFolders& folders, AssetCheck 
         throw table.complaint(key, "light of a scene without ambient_occlusion, which has none but its own",
                               "ambient_occlusion");
   drop_idle(scene);
-  if (scene.ambient_occlusion && table.has("bounces") && scene.bounces > 0)
+  if (refuses_idle(assets) && scene.ambient_occlusion && table.has("bounces") && scene.bounces > 0)
     throw table.complaint("bounces", "0 beside ambient_occlusion, which has no bounce",
                           std::to_string(scene.bounces));
   if (table.has("sun_radius_deg") && scene.ambient_occlusion)
@@ -104,8 +104,8 @@ void read_light(const TomlTable& table, const AssetFolders& folders, AssetCheck 
                           "a radius of none");
 }
 
-void refuse_idle_reach(const TomlTable& table, std::span<const SceneDefinition> scenes) {
-  if (!table.has("ao_distance_m")) return;
+void refuse_idle_reach(const TomlTable& table, std::span<const SceneDefinition> scenes, AssetCheck assets) {
+  if (!refuses_idle(assets) || !table.has("ao_distance_m")) return;
   if (std::none_of(scenes.begin(), scenes.end(), [](const auto& scene) { return scene.ambient_occlusion; }))
     throw table.complaint("ao_distance_m", "ambient_occlusion = true beside it", "no ambient_occlusion");
 }

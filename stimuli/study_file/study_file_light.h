@@ -22,6 +22,6 @@ void read_light(const TomlTable& table, const AssetFolders& folders, AssetCheck 
                 SceneDefinition& scene);
 
 /// Throws InputError where the table says how far ambient occlusion looks and none of its scenes has any.
-void refuse_idle_reach(const TomlTable& table, std::span<const SceneDefinition> scenes);
+void refuse_idle_reach(const TomlTable& table, std::span<const SceneDefinition> scenes, AssetCheck assets);
 
 }  // namespace seamline::inline stimuli

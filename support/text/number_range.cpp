@@ -11,7 +11,7 @@ namespace {
 /// As people write it: all digits of the largest seed.
 std::string limit_text(double limit) {
   constexpr double largest_seed = 18446744073709551615.0;
-  return limit >= largest_seed ? "18446744073709551615" : fmt::format("{}", limit);
+  return limit == largest_seed ? "18446744073709551615" : fmt::format("{}", limit);
 }
 
 }  // namespace

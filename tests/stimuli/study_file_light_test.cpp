@@ -12,13 +12,14 @@ namespace {
 
 using testing::HasSubstr;
 
-StudyDefinition lit_study(const std::string& light, const std::string& tables = "") {
+StudyDefinition lit_study(const std::string& light, const std::string& tables = "",
+                          AssetCheck assets = AssetCheck::not_needed) {
   std::string text =
       "format = \"seamline study 1\"\nname = \"small\"\ndepth_width_px = [64, 512]\n" + tables +
       "\n[[scene]]\nname = \"room\"\nfile = \"none.glb\"\nartifacts = [\"receiver\"]\n" + light;
   for (const char* object : {"a", "b", "c"})
     text += std::string("\n[[scene.object]]\nname = \"") + object + "\"\nfile = \"none.glb\"\n";
-  return read_study_text(text, "study.toml");
+  return read_study_text(text, "study.toml", assets);
 }
 
 std::string light_complaint(const std::string& light, const std::string& tables = "") {
@@ -31,6 +32,17 @@ TEST(StudyFileLight, WhatIsNotNamedLeavesTheHashAsItIs) {
   EXPECT_NE(study_hash(lit_study("environment = \"sky.hdr\"")), study_hash(lit_study("")));
   EXPECT_NE(study_hash(lit_study("lamps = []")), study_hash(lit_study("")))
       << "no lamps are fewer than the file's own";
+}
+
+TEST(StudyFileLight, SetsAndLogsKeepSettingsThatWereAcceptedWhenTheyWereMade) {
+  for (const char* idle : {"ao_distance_m = 3", "ambient_occlusion = true\nbounces = 2",
+                           "ambient_occlusion = true\n[scene.sun]\nto_sun = [0, 1, 0]\n"}) {
+    EXPECT_NE(light_complaint(idle), "no complaint") << idle;
+    EXPECT_EQ(lit_study(idle, "", AssetCheck::kept).scenes.size(), 1U) << idle;
+  }
+  const std::string tolerance = "mesh = \"full\"\nmesh_tolerance = 0.01\n";
+  EXPECT_NE(light_complaint("", tolerance), "no complaint");
+  EXPECT_EQ(lit_study("", tolerance, AssetCheck::kept).scenes.size(), 1U);
 }
 
 TEST(StudyFileLight, LampsSunsAndMapsAreRead) {
