@@ -85,7 +85,7 @@ const std::vector<std::string> tally_columns = {
 EvidencePage coverage_page() {
   return {.name = "coverage",
           .shows = "how often intervals hold the truth",
-          .takes = "4 hours",
+          .takes = "45 minutes",
           .needs = tests_needed,
           .steps = {{"lines",
                      "SEAMLINE_TRUE_STUDIES=2000 tests/analysis_full_tests "
@@ -104,7 +104,9 @@ EvidencePage coverage_page() {
                      "--gtest_filter=TrueCoverage.OfTheHalvesOfTheSession",
                      Printed::progress},
                     {"tasks", "tests/analysis_full_tests --gtest_filter=TaskCoverage.*"},
-                    {"over_scenes", "tests/analysis_full_tests --gtest_filter=OverScenesCoverage.*"},
+                    {"over_scenes",
+                     "SEAMLINE_TRUE_STUDIES=400 tests/analysis_full_tests "
+                     "--gtest_filter=OverScenesCoverage.*"},
                     {"papers_way", "tests/analysis_full_tests --gtest_filter=Coverage.Of*"}},
           .small_steps = {{"small", "tests/analysis_quick_tests --gtest_filter=SmallCoverage.*",
                            Printed::progress}},
