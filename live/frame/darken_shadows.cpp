@@ -42,10 +42,10 @@ struct RowInWindow {
   Eigen::Vector3f start, first, step;
 };
 
-/// Sets `bit` where a row's pixels lie in the window. Plain arithmetic over arrays, so that it is done for
+/// 1 where a row's pixels lie in the window, else 0. Plain arithmetic over arrays, so that it is done for
 /// several pixels at once; infinite depth is no place at all.
-void mark_row(const Window& window, const RowInWindow& row, const float* depth_m, int width_px,
-              std::uint64_t bit, std::uint64_t* marks) {
+void find_inside(const Window& window, const RowInWindow& row, const float* depth_m, int width_px,
+                 std::int32_t* inside) {
   for (int x = 0; x < width_px; ++x) {
     const float z = depth_m[x], column = static_cast<float>(x);
     float u = row.start.x() + z * (row.first.x() + column * row.step.x());
@@ -55,9 +55,9 @@ void mark_row(const Window& window, const RowInWindow& row, const float* depth_m
       u *= over;
       v *= over;
     }
-    const bool inside = (u >= window.left) & (u <= window.right) & (v >= window.top) & (v <= window.bottom) &
-                        (z < std::numeric_limits<float>::max());
-    marks[x] |= inside ? bit : 0;
+    const bool is_inside = (u >= window.left) & (u <= window.right) & (v >= window.top) &
+                           (v <= window.bottom) & (z < std::numeric_limits<float>::max());
+    inside[x] = is_inside ? 1 : 0;
   }
 }
 
@@ -83,12 +83,14 @@ class Darkening {
     const int width_px = eye_.codes.width_px;
     std::vector<std::uint64_t> marks(width_px, windows_.empty() ? all_lights() : 0);
     const float* depth_m = &eye_.real.depth_m[grid_index(y, 0, width_px)];
+    std::vector<std::int32_t> inside(width_px);
     for (std::size_t i = 0; i < std::min(lights_, windows_.size()); ++i) {
       const Window& window = windows_[i];
-      mark_row(window,
-               {window.axes * (rays_.eye_m() - window.eye_m), window.axes * rays_.direction(0, y),
-                window.axes * rays_.right_per_px()},
-               depth_m, width_px, std::uint64_t{1} << i, marks.data());
+      find_inside(window,
+                  {window.axes * (rays_.eye_m() - window.eye_m), window.axes * rays_.direction(0, y),
+                   window.axes * rays_.right_per_px()},
+                  depth_m, width_px, inside.data());
+      for (int x = 0; x < width_px; ++x) marks[x] |= static_cast<std::uint64_t>(inside[x]) << i;
     }
     for (int x = 0; x < width_px; ++x)
       if (marks[x] != 0 && std::isfinite(depth_m[x])) darken_pixel(x, y, depth_m[x], marks[x]);

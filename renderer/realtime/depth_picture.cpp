@@ -44,11 +44,17 @@ class CornerProjection {
   Eigen::Array2f to_px_;
 };
 
-/// Where an edge is at height y. From the same ends in the same order whichever triangle asks, so that
-/// neighbours agree.
-float crossing(const Corner& above, const Corner& below, float y) {
-  return above.x + (y - above.y) * ((below.x - above.x) / (below.y - above.y));
-}
+/// The edge between two corners. From the same ends in the same order whichever triangle asks, so that
+/// neighbours agree. A level edge is where it begins.
+class Edge {
+ public:
+  Edge(const Corner& above, const Corner& below)
+      : x_(above.x), y_(above.y), slope_(below.y > above.y ? (below.x - above.x) / (below.y - above.y) : 0) {}
+  [[nodiscard]] float x_at(float y) const { return x_ + (y - y_) * slope_; }
+
+ private:
+  float x_, y_, slope_;
+};
 
 bool is_above(const Corner& a, const Corner& b) {
   return a.y < b.y || (a.y == b.y && a.x < b.x);
@@ -65,23 +71,22 @@ class Band {
     if (is_above(c, b)) std::swap(b, c);
     if (is_above(b, a)) std::swap(a, b);
     if (!(c.y >= static_cast<float>(first_row_) && a.y <= static_cast<float>(last_row_ + 1))) return;
-    const int top = std::max(first_row_, static_cast<int>(std::ceil(std::max(a.y - 0.5F, -1.0F))));
-    const int bottom = std::min(
-        last_row_, static_cast<int>(std::floor(std::min(c.y - 0.5F, static_cast<float>(last_row_)))));
+    const int top = std::max(first_row_, whole_above(std::max(a.y - 0.5F, -1.0F)));
+    const int bottom = std::min(last_row_, whole_below(std::min(c.y - 0.5F, static_cast<float>(last_row_))));
+    if (top > bottom) return;
     const float area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
     const float least = std::min({a.value, b.value, c.value}), most = std::max({a.value, b.value, c.value});
     const float by_x =
         area == 0.0F ? 0.0F : ((b.value - a.value) * (c.y - a.y) - (c.value - a.value) * (b.y - a.y)) / area;
     const float by_y =
         area == 0.0F ? 0.0F : ((c.value - a.value) * (b.x - a.x) - (b.value - a.value) * (c.x - a.x)) / area;
+    const Edge whole(a, c), upper(a, b), lower(b, c);
+    const float width = static_cast<float>(picture_.width_px);
     for (int row = top; row <= bottom; ++row) {
       const float y = static_cast<float>(row) + 0.5F;
-      const float one = c.y > a.y ? crossing(a, c, y) : a.x;
-      const float other =
-          y < b.y ? (b.y > a.y ? crossing(a, b, y) : b.x) : (c.y > b.y ? crossing(b, c, y) : b.x);
-      const float width = static_cast<float>(picture_.width_px);
-      const int left = static_cast<int>(std::ceil(std::clamp(std::min(one, other) - 0.5F, -1.0F, width)));
-      const int right = static_cast<int>(std::floor(std::clamp(std::max(one, other) - 0.5F, -1.0F, width)));
+      const float one = whole.x_at(y), other = y < b.y ? upper.x_at(y) : lower.x_at(y);
+      const int left = whole_above(std::clamp(std::min(one, other) - 0.5F, -1.0F, width));
+      const int right = whole_below(std::clamp(std::max(one, other) - 0.5F, -1.0F, width));
       const float in_row = a.value + by_y * (y - a.y) + by_x * (0.5F - a.x);
       float* const pixels =
           &picture_.depth_m[static_cast<std::size_t>(row) * static_cast<std::size_t>(picture_.width_px)];

@@ -37,6 +37,17 @@ struct ViewedPoint {
 [[nodiscard]] ViewedPoint view_point(const DrawView& view, const DepthPicture& picture,
                                      const Eigen::Vector3f& point_m);
 
+/// The largest whole number not above `value`, and the smallest not below it. `std::floor` is a call of a
+/// function on processors of 2003, for which Debian builds; here it was a tenth of a frame.
+[[nodiscard]] inline int whole_below(float value) {
+  const int cut = static_cast<int>(value);
+  return cut - (static_cast<float>(cut) > value ? 1 : 0);
+}
+[[nodiscard]] inline int whole_above(float value) {
+  const int cut = static_cast<int>(value);
+  return cut + (static_cast<float>(cut) < value ? 1 : 0);
+}
+
 /// Depth of the pixel that a position lies in; infinity outside the picture.
 [[nodiscard]] inline float depth_at(const DepthPicture& picture, float x_px, float y_px) {
   if (!(x_px >= 0.0F && y_px >= 0.0F && x_px < static_cast<float>(picture.width_px) &&

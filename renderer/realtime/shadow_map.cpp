@@ -1,6 +1,7 @@
 #include "renderer/realtime/shadow_map.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -10,61 +11,112 @@ namespace {
 constexpr float steepest = 8.0F;  ///< tangent of the angle of incidence, beyond which the bias grows no more
 constexpr float endless_m = std::numeric_limits<float>::infinity();
 
+/// Where a light sees a point: in its axes, on its picture plane and in texels of its map.
+struct SeenPoint {
+  SeenPoint(const ShadowMap& map, const Eigen::Vector3f& point_m)
+      : at_m(map.view.axes * (point_m - map.view.eye_m)),
+        texel(map.view.size[0] / static_cast<float>(map.depth.width_px)) {
+    const float over_depth = map.view.from_point ? 1.0F / at_m.z() : 1.0F;
+    place = {at_m.x() * over_depth, at_m.y() * over_depth};
+    column = (place[0] - map.view.corner[0]) / texel;
+    row = (place[1] - map.view.corner[1]) / texel;
+  }
+  [[nodiscard]] float texel_m(const ShadowMap& map) const {
+    return map.view.from_point ? texel * at_m.z() : texel;
+  }
+
+  Eigen::Vector3f at_m;
+  Eigen::Array2f place;
+  float texel, column = 0, row = 0;
+};
+
+/// The nine texels of percentage-closer filtering, row by row, and what stands in each.
+struct NineTexels {
+  NineTexels(const ShadowMap& map, const SeenPoint& seen) {
+    std::array<int, 3> x, y;
+    for (int i = 0; i < 3; ++i) {
+      x[i] = texel_of(seen.column + static_cast<float>(i - 1), map.depth.width_px);
+      y[i] = texel_of(seen.row + static_cast<float>(i - 1), map.depth.height_px);
+      u[i] = map.view.corner[0] + (static_cast<float>(x[i]) + 0.5F) * seen.texel;
+      v[i] = map.view.corner[1] + (static_cast<float>(y[i]) + 0.5F) * seen.texel;
+    }
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column < 3; ++column) {
+        const bool is_inside = x[column] >= 0 && y[row] >= 0;
+        found_m[3 * row + column] = is_inside ? map.depth.at(x[column], y[row]) : endless_m;
+      }
+  }
+  [[nodiscard]] float nearest_m() const { return *std::min_element(found_m.begin(), found_m.end()); }
+  [[nodiscard]] float farthest_m() const { return *std::max_element(found_m.begin(), found_m.end()); }
+
+  std::array<float, 3> u, v;  ///< of the texels' centres on the picture plane
+  std::array<float, 9> found_m;
+
+ private:
+  static int texel_of(float place, int size_px) {
+    return place >= 0.0F && place < static_cast<float>(size_px) ? static_cast<int>(place) : -1;
+  }
+};
+
 /// A receiver as a light sees it: its plane's depth near it.
 class Receiver {
  public:
-  Receiver(const ShadowMap& map, const ShadowLookup& how, const Eigen::Vector3f& point_m,
+  Receiver(const ShadowMap& map, const ShadowLookup& how, const SeenPoint& seen,
            const Eigen::Vector3f& normal)
-      : map_(map),
-        at_m_(map.view.axes * (point_m - map.view.eye_m)),
-        normal_(map.view.axes * normal),
-        texel_(map.view.size[0] / static_cast<float>(map.depth.width_px)) {
-    const float over_depth = map.view.from_point ? 1.0F / at_m_.z() : 1.0F;
-    place_ = {at_m_.x() * over_depth, at_m_.y() * over_depth};
+      : map_(map), seen_(seen), normal_(map.view.axes * normal) {
     const Eigen::Vector3f along =
-        map.view.from_point ? Eigen::Vector3f(at_m_.normalized()) : Eigen::Vector3f::UnitZ();
+        map.view.from_point ? Eigen::Vector3f(seen.at_m.normalized()) : Eigen::Vector3f::UnitZ();
     const float cosine = std::max(std::abs(normal_.dot(along)), 1e-6F);
     const float tangent = std::min(std::sqrt(std::max(0.0F, 1.0F - cosine * cosine)) / cosine, steepest);
     bias_m_ = how.bias_texels * texel_m() * (1.0F + tangent);
   }
 
-  [[nodiscard]] bool is_behind_light() const { return map_.view.from_point && !(at_m_.z() > 0.0F); }
-  [[nodiscard]] float depth_m() const { return at_m_.z(); }
-  [[nodiscard]] float texel_m() const { return map_.view.from_point ? texel_ * at_m_.z() : texel_; }
+  [[nodiscard]] float depth_m() const { return seen_.at_m.z(); }
+  [[nodiscard]] float texel_m() const { return seen_.texel_m(map_); }
 
   /// Depth of what stands in the light's way in the texel at an offset in texels; infinity where nothing
   /// does. `on_plane`: compared with the receiver's plane at the texel's centre instead of its own depth.
   [[nodiscard]] float blocker_m(float right, float down, bool on_plane) const {
-    const float x = std::floor((place_[0] - map_.view.corner[0]) / texel_ + right);
-    const float y = std::floor((place_[1] - map_.view.corner[1]) / texel_ + down);
+    const float x = std::floor(seen_.column + right), y = std::floor(seen_.row + down);
     const float found_m = depth_at(map_.depth, x + 0.5F, y + 0.5F);
     if (found_m == endless_m) return endless_m;
-    const float own_m = on_plane ? plane_m(map_.view.corner[0] + (x + 0.5F) * texel_,
-                                           map_.view.corner[1] + (y + 0.5F) * texel_)
-                                 : at_m_.z();
-    return found_m < own_m - bias_m_ ? found_m : endless_m;
+    const float own_m = on_plane ? plane_m(map_.view.corner[0] + (x + 0.5F) * seen_.texel,
+                                           map_.view.corner[1] + (y + 0.5F) * seen_.texel)
+                                 : depth_m();
+    return is_in_the_way(found_m, own_m) ? found_m : endless_m;
+  }
+
+  /// Whether what stands in a texel, at a place of the picture plane, is in the light's way.
+  [[nodiscard]] bool is_blocked(float found_m, float u, float v) const {
+    return found_m != endless_m && is_in_the_way(found_m, plane_m(u, v));
   }
 
  private:
+  [[nodiscard]] bool is_in_the_way(float found_m, float own_m) const { return found_m < own_m - bias_m_; }
+
   /// Depth of the receiver's plane at a place of the picture plane, no steeper than the bias knows.
   [[nodiscard]] float plane_m(float u, float v) const {
+    const float right = u - seen_.place[0], down = v - seen_.place[1];
     if (map_.view.from_point) {
       const float along = normal_.dot(Eigen::Vector3f(u, v, 1.0F));
-      const float facing = normal_.dot(at_m_);
+      const float facing = normal_.dot(seen_.at_m);
       const float found = facing / along;
-      const float farthest = std::hypot(u - place_[0], v - place_[1]) * at_m_.z() * steepest;
-      if (!std::isfinite(found)) return at_m_.z();
-      return std::clamp(found, at_m_.z() - farthest, at_m_.z() + farthest);
+      if (!std::isfinite(found)) return depth_m();
+      if (std::abs(found - depth_m()) <
+          0.99F * steepest * depth_m() * std::max(std::abs(right), std::abs(down)))
+        return found;  // nearer than the way to it allows, which need not be known exactly
+      const float farthest = std::hypot(right, down) * depth_m() * steepest;
+      return std::clamp(found, depth_m() - farthest, depth_m() + farthest);
     }
     const float least = 1.0F / std::sqrt(1.0F + steepest * steepest);
     const float facing = normal_.z() < 0.0F ? std::min(normal_.z(), -least) : std::max(normal_.z(), least);
-    return at_m_.z() - (normal_.x() * (u - place_[0]) + normal_.y() * (v - place_[1])) / facing;
+    return depth_m() - (normal_.x() * right + normal_.y() * down) / facing;
   }
 
   const ShadowMap& map_;
-  Eigen::Vector3f at_m_, normal_;
-  Eigen::Array2f place_;
-  float texel_, bias_m_ = 0;
+  const SeenPoint& seen_;
+  Eigen::Vector3f normal_;
+  float bias_m_ = 0;
 };
 
 /// Tap `number` of `count` over a unit disc, evenly by area (Vogel's spiral).
@@ -75,12 +127,22 @@ Eigen::Array2f disc_tap(int number, int count, float turn) {
   return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
-float percentage_closer(const Receiver& receiver) {
+float percentage_closer(const ShadowMap& map, const ShadowLookup& how, const SeenPoint& seen,
+                        const Eigen::Vector3f& normal) {
+  const NineTexels texels(map, seen);
+  // Most points lie far before or behind all nine, whichever way their plane is turned: the centres of texels
+  // are at most 1.5 of them to the side and 1.5 down, and planes and bias are no steeper than they may be.
+  const float turned_m = 2.2F * steepest * seen.texel_m(map);
+  if (texels.nearest_m() > seen.at_m.z() + turned_m) return 1.0F;
+  if (texels.farthest_m() <
+      seen.at_m.z() - turned_m - how.bias_texels * seen.texel_m(map) * (1.01F + steepest))
+    return 0.0F;
+  const Receiver receiver(map, how, seen, normal);
   int arrives = 0;
-  for (int down = -1; down <= 1; ++down)
-    for (int right = -1; right <= 1; ++right)
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column)
       arrives +=
-          receiver.blocker_m(static_cast<float>(right), static_cast<float>(down), true) == endless_m ? 1 : 0;
+          receiver.is_blocked(texels.found_m[3 * row + column], texels.u[column], texels.v[row]) ? 0 : 1;
   return static_cast<float>(arrives) / 9.0F;
 }
 
@@ -133,15 +195,15 @@ void draw(std::span<const TriangleSpan> casters, int width_px, int threads, Shad
 
 float arriving(const ShadowMap& map, const ShadowLookup& how, const Eigen::Vector3f& point_m,
                const Eigen::Vector3f& normal, float turn) {
-  const Receiver receiver(map, how, point_m, normal);
-  if (receiver.is_behind_light()) return 1.0F;
+  const SeenPoint seen(map, point_m);
+  if (map.view.from_point && !(seen.at_m.z() > 0.0F)) return 1.0F;  // behind the lamp
   switch (how.filter) {
     case ShadowFilter::none:
-      return one_texel(receiver);
+      return one_texel({map, how, seen, normal});
     case ShadowFilter::pcf:
-      return percentage_closer(receiver);
+      return percentage_closer(map, how, seen, normal);
     case ShadowFilter::pcss:
-      return soft(map, receiver, how.taps, turn);
+      return soft(map, {map, how, seen, normal}, how.taps, turn);
   }
   return 1.0F;
 }
