@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "analysis/analyze_log.h"
+#include "analysis/report_folder.h"
 #include "sets/render_set.h"
 #include "stimuli/study_file/study_file.h"
 #include "study/running/simulation.h"
@@ -22,6 +23,7 @@ constexpr int demo_observers = 20;
 
 /// Study file -> stimuli -> sessions -> log -> thresholds -> report.
 void run_demo(const std::filesystem::path& out, std::optional<int> spp) {
+  analysis::require_report_folder(out / "report");
   const auto start = std::chrono::steady_clock::now();
   const StudyDefinition study = read_study(builtin_study("quick"));
   fmt::print("1/3 stimuli: {} into {}\n", study.file.string(), (out / "set").string());

@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 
+#include "commands/options/output_files.h"
 #include "commands/photographs/mesh_options.h"
 #include "sensors/skeleton/figure_motion.h"
 #include "support/files/atomic_file.h"
@@ -81,7 +82,10 @@ void add_animate_command(CLI::App& app) {
   command->add_option("--gestures", options->gestures,
                       "say when gestures are made: a file (.toml) of named ranges of angles");
   command->add_option("--angles", options->angles, "also write how far each joint is turned (.csv)");
-  command->callback([options] { run_animate(*options); });
+  command->callback([options, command] {
+    require_outputs(*command, {"--out", "--angles"});
+    run_animate(*options);
+  });
 }
 
 }  // namespace seamline::sensors

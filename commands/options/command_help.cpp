@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <memory>
-#include <regex>
 #include <sstream>
+#include <string_view>
 
 #include "support/text/suggest.h"
 
@@ -105,16 +105,16 @@ std::string meant(const std::string& typed, const std::vector<std::string>& know
   return nearest.empty() ? std::string() : "; did you mean " + nearest + "?";
 }
 
-/// What CLI11 says of an option given too often, in words.
+/// What CLI11 says of an option given too often ("--out: At Most 1 required but received 2"), in words.
 std::string counted_in_words(const std::string& why) {
-  static const std::regex too_often("(.*): At Most ([0-9]+) required but received ([0-9]+)");
-  std::smatch parts;
-  if (!std::regex_match(why, parts, too_often)) return why;
-  if (parts[2] != "1")
-    return fmt::format("{}: wanted at most {} values, found {}", parts[1].str(), parts[2].str(),
-                       parts[3].str());
-  return fmt::format("{}: wanted once, found {}", parts[1].str(),
-                     parts[3] == "2" ? "twice" : parts[3].str() + " times");
+  constexpr std::string_view at_most = ": At Most ", received = " required but received ";
+  const std::size_t end_of_name = why.rfind(at_most), between = why.rfind(received);
+  if (end_of_name == std::string::npos || between == std::string::npos || between < end_of_name) return why;
+  const std::size_t start = end_of_name + at_most.size();
+  const std::string name = why.substr(0, end_of_name), most = why.substr(start, between - start),
+                    found = why.substr(between + received.size());
+  if (most != "1") return fmt::format("{}: wanted at most {} values, found {}", name, most, found);
+  return fmt::format("{}: wanted once, found {}", name, found == "2" ? "twice" : found + " times");
 }
 
 }  // namespace

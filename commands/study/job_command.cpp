@@ -13,6 +13,7 @@
 #include "sets/cluster/job_scripts.h"
 #include "sets/cluster/set_status.h"
 #include "sets/pages/explain.h"
+#include "sets/set_manifest.h"
 #include "sets/set_work.h"
 #include "stimuli/definition/clip_frames.h"
 #include "support/files/atomic_file.h"
@@ -56,6 +57,7 @@ void write_cluster_job(const JobOptions& options) {
   request.threads = options.render.threads > 0 ? options.render.threads : 1;
   const fs::path folder = fs::absolute(options.slurm.empty() ? options.parallel : options.slurm);
   options.slurm.empty() ? check_parallel_folder(folder) : check_slurm_folder(folder);
+  require_set_folder(request.set_folder);
   const PreparedFolder prepared(folder);
   const JobCosts costs = measure_costs(study, request, probe_s);
   const RenderJob job = plan_job(study, request, costs, options.elements);

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "commands/options/output_files.h"
 #include "study/log/online/online_log.h"
 #include "study/online/serving/http_request.h"
 #include "study/online/serving/nginx_configuration.h"
@@ -162,7 +163,10 @@ void add_serve_command(CLI::App& app) {
   command->add_option("--systemd", options->systemd,
                       "write a unit of systemd that serves with this command's other options");
   command->add_option("--nginx", options->nginx, "write a configuration for nginx, for a wider network");
-  command->callback([options] { run_serve(*options); });
+  command->callback([options, command] {
+    require_outputs(*command, {"--systemd", "--nginx"});
+    run_serve(*options);
+  });
 }
 
 }  // namespace seamline::study::online

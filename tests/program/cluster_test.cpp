@@ -276,6 +276,14 @@ TEST(Cluster, WhatIsNotTheJobsIsRefusedInASentence) {
   EXPECT_EQ(run_built(render + " --shard 1/2 --slurm x").status, 1);
   EXPECT_THAT(run_built(render + " --spp 2 --slurm '" + (job.set / "a b").string() + "'").output,
               HasSubstr("wanted a path of letters, digits and"));
+  const fs::path full = job.set.parent_path() / "full";
+  fs::create_directories(full);
+  test::write_text(full / "letter.txt", "mine");
+  EXPECT_THAT(run_built("job write " + render_of(job) + " --out " + full.string() + " --parallel " +
+                        (job.set.parent_path() / "other_job").string())
+                  .output,
+              HasSubstr("wanted a new or an empty folder, or one with a set"));
+  EXPECT_FALSE(fs::exists(full / "records"));
 }
 
 }  // namespace

@@ -61,6 +61,10 @@ TEST(Help, WordsOfShortNamesStandApartAndCountsAreSaidInWords) {
   EXPECT_THAT(analyze, HasSubstr("INTEGER:0 to 18446744073709551615=1"));
   EXPECT_THAT(run_seamline("analyze log.sqlite --out a --out b").output,
               HasSubstr("--out: wanted once, found twice"));
+  std::string pictures = "flip";
+  for (int i = 0; i < 3000; ++i) pictures += " picture_" + std::to_string(i) + ".png";
+  const test::Outcome many = test::run_built(pictures);
+  EXPECT_EQ(many.status, 1) << "a shell writes out *.png";
 }
 
 /// Long names of options that --help or --help-all shows.
