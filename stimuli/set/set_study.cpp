@@ -18,7 +18,7 @@ bool keeps_identity(const fs::path& set_folder, const StudyDefinition& study, co
   const fs::path file = set_folder / rendered_study;
   std::error_code error;
   if (!fs::is_regular_file(file, error) || !lies_below(file, set_folder)) return false;
-  const StudyDefinition rendered = read_study(file, AssetCheck::kept);
+  const StudyDefinition rendered = read_study(file, AssetCheck::not_needed, {}, IdleSettings::kept);
   return study_hash(rendered) == identity && same_but_observer(rendered, study);
 }
 
@@ -31,7 +31,7 @@ fs::path study_file_of_set(const fs::path& set_folder, const Manifest& manifest)
 
 StudyDefinition study_of_set(const fs::path& set_folder, const Manifest& manifest) {
   const fs::path file = study_file_of_set(set_folder, manifest);
-  StudyDefinition study = read_study(file, AssetCheck::kept);
+  StudyDefinition study = read_study(file, AssetCheck::not_needed, {}, IdleSettings::kept);
   const std::string found = study_hash(study);
   if (found == manifest.study_hash || keeps_identity(set_folder, study, manifest.study_hash)) return study;
   throw input_error({.file = file.string(),

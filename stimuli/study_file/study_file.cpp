@@ -10,6 +10,7 @@
 #include "stimuli/settings/read_settings.h"
 #include "stimuli/settings/study_settings.h"
 #include "stimuli/study_file/carried_files.h"
+#include "stimuli/study_file/idle_settings.h"
 #include "stimuli/study_file/moving/study_file_clip.h"
 #include "stimuli/study_file/moving/study_file_late_frames.h"
 #include "stimuli/study_file/parts/study_file_condition_task.h"
@@ -140,16 +141,6 @@ void check_level_is_seen(const TomlTable& table, const StudyDefinition& study) {
                               "ambient_occlusion in the scene \"" + scene.name + "\"");
 }
 
-/// The full mesh has no tolerance.
-void check_tolerance_is_used(const TomlTable& table, const StudyDefinition& study) {
-  if (!table.has("mesh_tolerance")) return;
-  const std::vector<ConditionDefinition> shown = list_conditions(study);
-  if (std::all_of(shown.begin(), shown.end(),
-                  [](const auto& condition) { return condition.depth.mesh == MeshDensity::full; }))
-    throw table.complaint("mesh_tolerance", "mesh = \"adaptive\" beside it: the full mesh has no tolerance",
-                          "mesh = \"full\"");
-}
-
 /// Whether anything in these scenes looks at what the depth mesh is made of.
 bool asks_for_mesh_albedo(const ConditionDefinition& condition) {
   if (condition.isolation == Isolation::mask) return true;
@@ -184,7 +175,8 @@ void require_a_set_that_can_be_read(const TomlTable& table, const StudyDefinitio
                           fmt::format("{}", stimuli));
 }
 
-StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& folders, AssetCheck check) {
+StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& folders, AssetCheck check,
+                                 IdleSettings idle) {
   const AssetCheck assets = check == AssetCheck::all_but_depth ? AssetCheck::must_exist : check;
   const std::filesystem::path& path = folders.study_file;
   check_format(table);
@@ -217,7 +209,6 @@ StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& fol
                            study.clip != nullptr);
   if (check == AssetCheck::must_exist) find_depth_files(study, folders);
   check_level_is_seen(table, study);
-  if (refuses_idle(assets)) check_tolerance_is_used(table, study);
   check_mesh_albedo_is_seen(table, study);
   check_mitigations_are_seen(table, study);
   check_pipelines_are_seen(table, study);
@@ -242,24 +233,27 @@ StudyDefinition read_study_table(const TomlTable& table, const AssetFolders& fol
     for (const LanguageDefinition& language : study.languages->languages)
       static_cast<void>(read_study_texts(study, language));
   require_a_set_that_can_be_read(table, study);
+  if (idle == IdleSettings::refused) refuse_idle_settings(table, study);
   return study;
 }
 
 }  // namespace
 
 StudyDefinition read_study(const std::filesystem::path& path, AssetCheck assets,
-                           const std::filesystem::path& asset_root) {
+                           const std::filesystem::path& asset_root, IdleSettings idle) {
   std::error_code error;
   if (!asset_root.empty() && !std::filesystem::is_directory(asset_root, error))
     throw input_error({.field = request_name("asset_root"),
                        .wanted = "a folder",
                        .found = "no folder at " + asset_root.string()});
-  return read_study_table(TomlTable::read(path), {.study_file = path, .asset_root = asset_root}, assets);
+  return read_study_table(TomlTable::read(path), {.study_file = path, .asset_root = asset_root}, assets,
+                          idle);
 }
 
 StudyDefinition read_study_text(const std::string& text, const std::filesystem::path& said_to_be,
-                                AssetCheck assets) {
-  return read_study_table(TomlTable::parse(text, said_to_be), {.study_file = said_to_be}, assets);
+                                IdleSettings idle) {
+  return read_study_table(TomlTable::parse(text, said_to_be), {.study_file = said_to_be},
+                          AssetCheck::not_needed, idle);
 }
 
 AnalysisDefinition read_analysis_text(const std::string& text, const std::filesystem::path& said_to_be) {

@@ -206,7 +206,6 @@ ConditionDefinition read_condition(const TomlTable& table, const StudyDefinition
     read_light(table, folders, assets, scene);
     scene.view = read_view(table, scene.view, true);
   }
-  refuse_idle_reach(table, condition.scenes, assets);
   table.finish();
   return condition;
 }

@@ -1,7 +1,6 @@
 #include "stimuli/study_file/study_file_light.h"
 #include "stimuli/definition/moving/file_moment.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "stimuli/settings/read_settings.h"
@@ -96,18 +95,9 @@ void read_light(const TomlTable& table, const AssetFolders& folders, AssetCheck 
         throw table.complaint(key, "light of a scene without ambient_occlusion, which has none but its own",
                               "ambient_occlusion");
   drop_idle(scene);
-  if (refuses_idle(assets) && scene.ambient_occlusion && table.has("bounces") && scene.bounces > 0)
-    throw table.complaint("bounces", "0 beside ambient_occlusion, which has no bounce",
-                          std::to_string(scene.bounces));
   if (table.has("sun_radius_deg") && scene.ambient_occlusion)
     throw table.complaint("sun_radius_deg", "a sun: the scene \"" + scene.name + "\" has ambient_occlusion",
                           "a radius of none");
-}
-
-void refuse_idle_reach(const TomlTable& table, std::span<const SceneDefinition> scenes, AssetCheck assets) {
-  if (!refuses_idle(assets) || !table.has("ao_distance_m")) return;
-  if (std::none_of(scenes.begin(), scenes.end(), [](const auto& scene) { return scene.ambient_occlusion; }))
-    throw table.complaint("ao_distance_m", "ambient_occlusion = true beside it", "no ambient_occlusion");
 }
 
 }  // namespace seamline::inline stimuli

@@ -1,6 +1,4 @@
 #pragma once
-#include <span>
-
 #include "stimuli/definition/study_definition.h"
 #include "stimuli/study_file/study_file.h"
 #include "support/files/assets.h"
@@ -20,8 +18,5 @@ namespace seamline::inline stimuli {
 /// What the table does not say stays as `scene` has it. Throws InputError where one key makes another void.
 void read_light(const TomlTable& table, const AssetFolders& folders, AssetCheck assets,
                 SceneDefinition& scene);
-
-/// Throws InputError where the table says how far ambient occlusion looks and none of its scenes has any.
-void refuse_idle_reach(const TomlTable& table, std::span<const SceneDefinition> scenes, AssetCheck assets);
 
 }  // namespace seamline::inline stimuli

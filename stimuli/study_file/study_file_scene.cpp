@@ -136,11 +136,7 @@ SceneDefinition read_scene(const TomlTable& table, const AssetFolders& folders, 
   for (const char* key : {"name", "file"}) read_setting(table, key, scene);
   scene.artifacts = read_artifacts(table);
   read_light(table, folders, assets, scene);
-  refuse_idle_reach(table, {&scene, 1}, assets);
   if (const auto sun = table.table("sun")) {
-    if (refuses_idle(assets) && scene.ambient_occlusion)
-      throw table.complaint("sun", "no sun beside ambient_occlusion, which has none",
-                            "ambient_occlusion = true");
     if (scene.suns) throw table.complaint("suns", "one of sun and suns", "both");
     if (scene.sun_radius_deg && sun->has("angular_radius_deg"))
       throw table.complaint("sun_radius_deg", "one radius of the sun", "sun.angular_radius_deg beside it");

@@ -22,7 +22,7 @@ StudyDefinition study_with(const std::string& varied, const std::string& light =
                      light;
   for (const char* object : {"a", "b", "c"})
     text += std::string("\n[[scene.object]]\nname = \"") + object + "\"\nfile = \"none.glb\"\n";
-  return read_study_text(text, "study.toml", AssetCheck::not_needed);
+  return read_study_text(text, "study.toml", IdleSettings::refused);
 }
 
 std::string complaint(const std::string& varied, const std::string& light = "") {

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "stimuli/definition/stimulus.h"
+#include "stimuli/set/set_study.h"
 #include "stimuli/study_file/study_file.h"
+#include "support/files/atomic_file.h"
+#include "support/files/temporary_folder.h"
 #include "support/text/error.h"
 #include "tests/complaint.h"
 
@@ -12,14 +15,18 @@ namespace {
 
 using testing::HasSubstr;
 
-StudyDefinition lit_study(const std::string& light, const std::string& tables = "",
-                          AssetCheck assets = AssetCheck::not_needed) {
+std::string lit_text(const std::string& light, const std::string& tables = "") {
   std::string text =
       "format = \"seamline study 1\"\nname = \"small\"\ndepth_width_px = [64, 512]\n" + tables +
       "\n[[scene]]\nname = \"room\"\nfile = \"none.glb\"\nartifacts = [\"receiver\"]\n" + light;
   for (const char* object : {"a", "b", "c"})
     text += std::string("\n[[scene.object]]\nname = \"") + object + "\"\nfile = \"none.glb\"\n";
-  return read_study_text(text, "study.toml", assets);
+  return text;
+}
+
+StudyDefinition lit_study(const std::string& light, const std::string& tables = "",
+                          IdleSettings idle = IdleSettings::refused) {
+  return read_study_text(lit_text(light, tables), "study.toml", idle);
 }
 
 std::string light_complaint(const std::string& light, const std::string& tables = "") {
@@ -38,11 +45,26 @@ TEST(StudyFileLight, SetsAndLogsKeepSettingsThatWereAcceptedWhenTheyWereMade) {
   for (const char* idle : {"ao_distance_m = 3", "ambient_occlusion = true\nbounces = 2",
                            "ambient_occlusion = true\n[scene.sun]\nto_sun = [0, 1, 0]\n"}) {
     EXPECT_NE(light_complaint(idle), "no complaint") << idle;
-    EXPECT_EQ(lit_study(idle, "", AssetCheck::kept).scenes.size(), 1U) << idle;
+    EXPECT_EQ(lit_study(idle, "", IdleSettings::kept).scenes.size(), 1U) << idle;
   }
   const std::string tolerance = "mesh = \"full\"\nmesh_tolerance = 0.01\n";
   EXPECT_NE(light_complaint("", tolerance), "no complaint");
-  EXPECT_EQ(lit_study("", tolerance, AssetCheck::kept).scenes.size(), 1U);
+  EXPECT_EQ(lit_study("", tolerance, IdleSettings::kept).scenes.size(), 1U);
+}
+
+TEST(StudyFileLight, ASetWithAnIdleSettingIsReadWhereItsStudyFileIsRefused) {
+  const TemporaryFolder folder;
+  const std::string idle = "ao_distance_m = 3\n";
+  const std::string text = lit_text(idle);
+  write_file_atomically(folder.path() / "study.toml", text);
+  Manifest manifest;
+  manifest.study_file = "study.toml";
+  manifest.study_hash = study_hash(lit_study(idle, "", IdleSettings::kept));
+  EXPECT_EQ(study_of_set(folder.path(), manifest).scenes[0].ao_distance_m, 3);
+  EXPECT_THAT(
+      test::complaint_of([&] { (void)read_study(folder.path() / "study.toml", AssetCheck::not_needed); }),
+      HasSubstr("ao_distance_m: wanted ambient_occlusion = true beside it"));
+  EXPECT_EQ(read_study_text(text, "a log's study").scenes[0].ao_distance_m, 3);
 }
 
 TEST(StudyFileLight, LampsSunsAndMapsAreRead) {
@@ -105,6 +127,9 @@ TEST(StudyFileLight, WhatWouldBeIgnoredIsRefused) {
       light_complaint("ambient_occlusion = true",
                       "[[condition]]\nname = \"near\"\n[[condition]]\nname = \"far\"\nao_distance_m = 3\n"),
       "no complaint");
+  EXPECT_THAT(light_complaint("ambient_occlusion = true",
+                              "[[condition]]\nname = \"none\"\n[[condition]]\nname = \"two\"\nbounces = 2\n"),
+              HasSubstr("which has no bounce, found 2"));
   EXPECT_THAT(light_complaint("ambient_occlusion = true\nbounces = 2"),
               HasSubstr("which has no bounce, found 2"));
   EXPECT_THAT(light_complaint("ambient_occlusion = true\n[scene.sun]\nto_sun = [0, 1, 0]\n"),

@@ -15,7 +15,7 @@ inline StudyDefinition study_of_depth(const std::string& varied,
                      "\n[[scene]]\nname = \"room\"\nfile = \"none.glb\"\nartifacts = [\"receiver\"]\n";
   for (const char* object : {"a", "b", "c"})
     text += std::string("\n[[scene.object]]\nname = \"") + object + "\"\nfile = \"none.glb\"\n";
-  return read_study_text(text, "study.toml", AssetCheck::not_needed);
+  return read_study_text(text, "study.toml", IdleSettings::refused);
 }
 
 /// A study of one pinhole, whose level is the mesh's tolerance.
