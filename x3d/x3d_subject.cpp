@@ -46,7 +46,8 @@ Image photograph(const Geometry& scene, const Light& light, const Camera& camera
 StudyDefinition study_of(const X3dRequest& request, const Manifest& manifest) {
   refuse_clips(request.source, "X3D");
   (void)study_of_set(request.source, manifest);  // the hash is the manifest's
-  return read_study(study_file_of_set(request.source, manifest), AssetCheck::must_exist, request.asset_root);
+  return read_study(study_file_of_set(request.source, manifest), AssetCheck::must_exist, request.asset_root,
+                    IdleSettings::kept);
 }
 
 const ManifestStimulus& chosen_stimulus(const X3dRequest& request, const Manifest& manifest) {

@@ -38,7 +38,10 @@ void add_render_options(CLI::App& command, RenderOptions& options) {
 }
 
 StudyDefinition study_of(const RenderOptions& options) {
-  return read_study(options.study, AssetCheck::must_exist, options.asset_root);
+  // A set that an earlier version began may have idle settings, and is finished with them.
+  const bool is_begun = !options.set.empty() && fs::exists(fs::path(options.set) / "records");
+  return read_study(options.study, AssetCheck::must_exist, options.asset_root,
+                    is_begun ? IdleSettings::kept : IdleSettings::refused);
 }
 
 RenderRequest request_of(const RenderOptions& options) {

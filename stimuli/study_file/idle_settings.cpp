@@ -29,7 +29,7 @@ constexpr std::array<SceneSetting, 3> scene_settings = {{
      [](const SceneDefinition&) { return std::string("ambient_occlusion = true"); }},
 }};
 
-/// Of the table of a scene, or of a condition, which speaks of all scenes.
+/// Of the table of a scene, as the conditions show it, or of a condition, which speaks of all scenes.
 void refuse_idle_of_scenes(const TomlTable& table, std::span<const SceneDefinition> scenes) {
   for (const SceneSetting& setting : scene_settings)
     if (table.has(setting.key) && std::none_of(scenes.begin(), scenes.end(), setting.is_used))
@@ -40,11 +40,15 @@ void refuse_idle_of_scenes(const TomlTable& table, std::span<const SceneDefiniti
 
 void refuse_idle_settings(const TomlTable& table, const StudyDefinition& study) {
   const std::vector<TomlTable> scenes = table.tables("scene"), conditions = table.tables("condition");
-  for (std::size_t i = 0; i < scenes.size(); ++i) refuse_idle_of_scenes(scenes[i], {&study.scenes[i], 1});
+  const std::vector<ConditionDefinition> shown = list_conditions(study);
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    std::vector<SceneDefinition> as_shown;
+    for (const ConditionDefinition& condition : shown) as_shown.push_back(condition.scenes[i]);
+    refuse_idle_of_scenes(scenes[i], as_shown);
+  }
   for (std::size_t i = 0; i < conditions.size(); ++i)
     refuse_idle_of_scenes(conditions[i], study.conditions[i].scenes);
   if (!table.has("mesh_tolerance")) return;
-  const std::vector<ConditionDefinition> shown = list_conditions(study);
   if (std::all_of(shown.begin(), shown.end(),
                   [](const auto& condition) { return condition.depth.mesh == MeshDensity::full; }))
     throw table.complaint("mesh_tolerance", "mesh = \"adaptive\" beside it: the full mesh has no tolerance",

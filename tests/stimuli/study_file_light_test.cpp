@@ -67,6 +67,21 @@ TEST(StudyFileLight, ASetWithAnIdleSettingIsReadWhereItsStudyFileIsRefused) {
   EXPECT_EQ(read_study_text(text, "a log's study").scenes[0].ao_distance_m, 3);
 }
 
+TEST(StudyFileLight, WhatOneConditionUsesIsNotIdle) {
+  const StudyDefinition study = lit_study(
+      "ambient_occlusion = true\nbounces = 4\n[scene.sun]\nto_sun = [0, 1, 0]\n",
+      "[[condition]]\nname = \"ao\"\n[[condition]]\nname = \"traced\"\nambient_occlusion = false\n");
+  EXPECT_FALSE(study.conditions[1].scenes[0].ambient_occlusion);
+  EXPECT_EQ(study.conditions[1].scenes[0].bounces, 4);
+  EXPECT_EQ(
+      lit_study("ao_distance_m = 3\n",
+                "[[condition]]\nname = \"far\"\nambient_occlusion = true\n[[condition]]\nname = \"no\"\n")
+          .conditions[0]
+          .scenes[0]
+          .ao_distance_m,
+      3);
+}
+
 TEST(StudyFileLight, LampsSunsAndMapsAreRead) {
   const SceneDefinition scene =
       lit_study(

@@ -27,12 +27,13 @@ namespace {
 using AskJson = nlohmann::ordered_json;
 
 /// A set that nobody rendered: the study's stimuli, for a program that makes their pictures itself. Its hash
-/// is one that no rendered set has.
-RenderedSet unrendered_set(const fs::path& file) {
+/// is one that no rendered set has. A log that an earlier version began may have idle settings, and goes on.
+RenderedSet unrendered_set(const fs::path& file, const fs::path& log) {
   RenderedSet set{.folder = fs::absolute(file).lexically_normal().parent_path(),
                   .manifest = {},
                   .set_hash = {},
-                  .study = read_study(file, AssetCheck::not_needed),
+                  .study = read_study(file, AssetCheck::not_needed, {},
+                                      fs::exists(log) ? IdleSettings::kept : IdleSettings::refused),
                   .study_text = read_file(file)};
   set.manifest.study_name = set.study.name;
   set.manifest.study_hash = study_hash(set.study);
@@ -116,8 +117,9 @@ void check_may_ask(const std::optional<KnownParticipant>& known, const AskReques
 void ask(const AskRequest& request, const LineSource& hear_line, const LineSink& say_line) {
   check_participant_code(request.participant);
   std::error_code error;
-  const RenderedSet set = fs::is_directory(request.source, error) ? load_rendered_set(request.source)
-                                                                  : unrendered_set(request.source);
+  const RenderedSet set = fs::is_directory(request.source, error)
+                              ? load_rendered_set(request.source)
+                              : unrendered_set(request.source, request.log);
   const TrialRules rules = make_trial_rules(set);
   if (rules.task.adjusts())
     throw input_error({.file = request.source.string(),
