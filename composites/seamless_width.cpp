@@ -8,6 +8,7 @@
 
 #include "raytracer/light/light_sample.h"
 #include "raytracer/scene/seen_surface.h"
+#include "stimuli/definition/methods/no_threshold.h"
 #include "support/files/atomic_file.h"
 #include "support/text/error.h"
 #include "support/text/request_name.h"
@@ -28,12 +29,39 @@ std::optional<double> number_in(const nlohmann::json& json) {
   return json.is_number() ? std::optional(json.get<double>()) : std::nullopt;
 }
 
+/// Empty where there is none.
+std::string text_in(const nlohmann::json& json, const char* key) {
+  const nlohmann::json found = json.value(key, nlohmann::json());
+  return found.is_string() ? found.get<std::string>() : std::string();
+}
+
 /// The smallest width that was tested.
 std::optional<double> smallest_tested(const nlohmann::json& artifact) {
   const auto curve = artifact.find("curve");
   if (curve == artifact.end() || !curve->is_array() || curve->empty() || !curve->front().is_object())
     return std::nullopt;
   return number_in(curve->front().value("width_px", nlohmann::json()));
+}
+
+/// Whether every width that was tested suffices, or those from the upper end of the interval.
+bool lies_below_levels(NoThreshold reason) {
+  return reason == NoThreshold::curve_below || reason == NoThreshold::below_level ||
+         reason == NoThreshold::open_easiest;
+}
+
+/// Of reports of earlier versions, which have sentences alone: those on which a width hangs.
+std::optional<NoThreshold> reason_of_sentence(const std::string& sentence) {
+  const auto has = [&](const char* words) { return sentence.find(words) != std::string::npos; };
+  if (has("guess floor")) return NoThreshold::guess_floor;
+  if (has("easiest to see")) return NoThreshold::open_easiest;
+  const bool below = sentence.starts_with("below ") || has("lies below it");
+  return below ? std::optional(NoThreshold::curve_below) : std::nullopt;
+}
+
+/// Why a threshold has no estimate.
+std::optional<NoThreshold> reason_of(const nlohmann::json& threshold) {
+  const std::string known = text_in(threshold, "reason_word");
+  return known.empty() ? reason_of_sentence(text_in(threshold, "reason")) : no_threshold_from_word(known);
 }
 
 /// The thresholds of record of one artifact: an object of them by key.
@@ -48,9 +76,8 @@ class RecordedThresholds {
     if (!has(key) || !found_[key].is_object()) return std::nullopt;
     const nlohmann::json& threshold = found_[key];
     if (const auto estimate = number_in(threshold.value("estimate", nlohmann::json()))) return estimate;
-    const std::string reason = reason_of(threshold);
-    if (reason.find("below") == std::string::npos && !reason.starts_with("at the levels easiest to see"))
-      return std::nullopt;
+    const std::optional<NoThreshold> reason = reason_of(threshold);
+    if (!reason || !lies_below_levels(*reason)) return std::nullopt;
     std::optional<double> width_px = smallest_tested(artifact_);
     const nlohmann::json interval = threshold.value("ci95", nlohmann::json());
     if (width_px && interval.is_array() && interval.size() == 2)
@@ -58,16 +85,10 @@ class RecordedThresholds {
     return width_px;
   }
   [[nodiscard]] bool lies_in_guess_floor(const char* key) const {
-    return has(key) && found_[key].is_object() &&
-           reason_of(found_[key]).find("guess floor") != std::string::npos;
+    return has(key) && found_[key].is_object() && reason_of(found_[key]) == NoThreshold::guess_floor;
   }
 
  private:
-  static std::string reason_of(const nlohmann::json& threshold) {
-    const nlohmann::json reason = threshold.value("reason", nlohmann::json());
-    return reason.is_string() ? reason.get<std::string>() : std::string();
-  }
-
   const nlohmann::json& artifact_;
   const nlohmann::json found_;
 };
@@ -147,15 +168,11 @@ StudyThresholds read_thresholds(const std::filesystem::path& path, const std::st
   if (json.contains("level"))
     throw no_thresholds(path, "level", "a study of depth widths", "one of another quantity");
   require_condition(json, path, condition);
-  const auto text_at = [&](const char* key) {
-    const nlohmann::json found = json.value(key, nlohmann::json());
-    return found.is_string() ? found.get<std::string>() : std::string();
-  };
   const nlohmann::json simulated = json.value("simulated", nlohmann::json());
   StudyThresholds thresholds{.artifacts = {},
-                             .joint = text_at("headline") == "joint",
+                             .joint = text_in(json, "headline") == "joint",
                              .simulated = simulated.is_boolean() && simulated.get<bool>(),
-                             .source = text_at("source")};
+                             .source = text_in(json, "source")};
   for (const nlohmann::json& artifact : json["artifacts"]) {
     if (!artifact.is_object() || artifact.value("condition", condition) != condition) continue;
     const auto which = artifact_named(artifact.value("artifact", ""));

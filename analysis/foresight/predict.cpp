@@ -103,7 +103,7 @@ LevelAxis prediction_axis(const LevelDefinition& level) {
 /// For sorting: a missing threshold is beyond the widths on the side that its reason says.
 double log2_or_beyond(const ThresholdEstimate& estimate) {
   if (estimate.level_x) return *estimate.level_x;
-  return estimate.reason.find(" above it ") != std::string::npos ? above_every_level : below_every_level;
+  return estimate.reason == NoThreshold::curve_above ? above_every_level : below_every_level;
 }
 
 double level_of_record(const ManifestStimulus& record, const LevelAxis& axis) {

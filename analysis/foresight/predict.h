@@ -105,8 +105,8 @@ double take_finest_for_floor(const Manifest& manifest, VisibleDifferences& diffe
 [[nodiscard]] double calibrated_gain(const Manifest& manifest, const VisibleDifferences& differences,
                                      ObserverDefinition observer, double receiver_px);
 
-/// The artifacts from the most to the least demanding, by PT, then SN; "above at every width" comes first.
-/// Among those that are alike in both, by the mean visible difference over widths.
+/// The artifacts from the most to the least demanding, by PT, then SN; those of curves above it at every
+/// width come first. Among those that are alike in both, by the mean visible difference over widths.
 [[nodiscard]] std::vector<Artifact> demanding_order(const std::vector<PredictedArtifact>& artifacts);
 
 }  // namespace seamline::analysis

@@ -15,7 +15,7 @@ namespace {
 struct RoughPlace {
   std::optional<JointPlace> place;
   double standard_error = nan;
-  std::string reason;
+  std::optional<NoThreshold> reason = {};
 };
 
 /// The form of the curve is assumed, and no number of people tells how wrong it is: the logarithm of the
@@ -41,27 +41,62 @@ RoughPlace rough_place(const JointFit& fit, const JointJackknife& left_out, int 
                        double t) {
   RoughPlace rough;
   if (fit.model.ratings == 1 && quantity != JointQuantity::detection) {
-    rough.reason = "ratings were not asked";
+    rough.reason = NoThreshold::ratings_not_asked;
     return rough;
   }
   const std::optional<SoughtMean> sought = sought_mean(quantity);
   if (sought && level_in_floor(fit, left_out, curve, *sought, t)) {
-    rough.reason = "not identified: the level lies in the guess floor";
+    rough.reason = NoThreshold::guess_floor;
     return rough;
   }
   rough.place = place_of(fit.model, fit.theta, curve, quantity);
   if (!rough.place) {
-    rough.reason = "the curve has no such place";
+    rough.reason = NoThreshold::no_such_place;
     return rough;
   }
   rough.standard_error = standard_error_of(rough.place->gradient, left_out);
   return rough;
 }
 
-std::string reason_without_numbers(const JointFit& fit, int curve) {
-  const CurveVerdict verdict = fit.curves[curve];
-  if (verdict != CurveVerdict::estimated) return std::string(word(verdict));
-  return std::string(word(fit.verdict));
+std::optional<NoThreshold> reason_of(JointVerdict verdict) {
+  switch (verdict) {
+    case JointVerdict::estimated:
+      return std::nullopt;
+    case JointVerdict::no_answers:
+      return NoThreshold::no_answers;
+    case JointVerdict::one_participant:
+      return NoThreshold::one_participant;
+    case JointVerdict::too_few_levels:
+      return NoThreshold::too_few_levels;
+    case JointVerdict::only_guesses:
+      return NoThreshold::only_guesses;
+    case JointVerdict::never_wrong:
+      return NoThreshold::never_wrong;
+    case JointVerdict::separated:
+      return NoThreshold::separated;
+    case JointVerdict::not_converged:
+      return NoThreshold::not_converged;
+  }
+  return std::nullopt;
+}
+
+/// Why a curve has no numbers: its own reason before that of the whole fit.
+std::optional<NoThreshold> reason_without_numbers(const JointFit& fit, int curve) {
+  switch (fit.curves[curve]) {
+    case CurveVerdict::estimated:
+      return reason_of(fit.verdict);
+    case CurveVerdict::at_chance:
+      return NoThreshold::at_chance;
+    case CurveVerdict::never_wrong:
+      return NoThreshold::never_wrong;
+    case CurveVerdict::no_answers:
+      return NoThreshold::no_answers;
+    case CurveVerdict::too_few_levels:
+      return NoThreshold::too_few_levels;
+    case CurveVerdict::separated:
+      return NoThreshold::separated;
+  }
+  return std::nullopt;
 }
 
 /// The largest gap between neighbouring levels.
@@ -151,12 +186,12 @@ LevelInterval interval_of(const JointFit& fit, const JointJackknife& left_out, i
 }
 
 /// What the open ends of an interval say.
-std::string reason_of_open(const LevelInterval& interval) {
+std::optional<NoThreshold> reason_of_ends(const LevelInterval& interval) {
   const bool low = !std::isfinite(interval.low_x), high = !std::isfinite(interval.high_x);
-  if (low && high) return "not determined: no level is excluded";
-  if (high) return "open where seams are hardest to see: add people, or levels there";
-  if (low) return "open where seams are easiest to see: add people, or levels there";
-  return "";
+  if (low && high) return NoThreshold::open_both;
+  if (high) return NoThreshold::open_hardest;
+  if (low) return NoThreshold::open_easiest;
+  return std::nullopt;
 }
 
 /// Thresholds may lie beyond the levels tested by the largest gap between them.
@@ -190,8 +225,8 @@ void write_pointwise(const JointFit& fit, const JointData& data, const JointJack
   if (!rough.place) return;
   const std::vector<double> levels = levels_of_curve(data, row.curve);
   row.here.ci95 = interval_of(fit, left_out, row.curve, row.quantity, rough, t, range_of_thresholds(levels));
-  row.here.reason = reason_of_open(row.here.ci95);
-  if (row.here.reason.empty()) row.here.level_x = rough.place->x;
+  row.here.reason = reason_of_ends(row.here.ci95);
+  if (!row.here.reason) row.here.level_x = rough.place->x;
   row.beyond_levels = rough.place->x < levels.front() || rough.place->x > levels.back();
 }
 

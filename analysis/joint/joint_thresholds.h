@@ -42,11 +42,10 @@ struct JointThreshold {
 /// no number, but a reason,
 ///
 ///   - where the curve has none (CurveVerdict), or the fit has no numbers (JointVerdict)
-///   - "the level lies in the guess floor": the floor of PT or SN with its uncertainty (one-sided 97.5 %)
-///     reaches the level
-///   - "above every level", "below every level": it lies further beyond the levels tested than the largest
+///   - `guess_floor`: the floor of PT or SN with its uncertainty (one-sided 97.5 %) reaches the level
+///   - `open_hardest`, `open_easiest`, `open_both`: it lies further beyond the levels tested than the largest
 ///     gap between them, or its interval does not exclude that
-///   - "not asked": PT, SN and IP where nobody was asked for ratings
+///   - `ratings_not_asked`: PT, SN and IP where nobody was asked for ratings
 [[nodiscard]] std::vector<JointThreshold> joint_thresholds(const JointFit& fit, const JointData& data,
                                                            const JointJackknife& left_out);
 

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "analysis/joint/joint_placed.h"
-#include "analysis/scores/level_words.h"
 #include "stimuli/definition/parts/task_definition.h"
 #include "stimuli/study_file/parts/study_file_task.h"
 #include "study/running/staircase_results.h"
@@ -16,7 +15,7 @@
 namespace seamline::analysis {
 namespace {
 
-void give_reason(CurveThresholds& estimates, const std::string& reason) {
+void give_reason(CurveThresholds& estimates, NoThreshold reason) {
   for (ThresholdEstimate* width :
        {&estimates.perceptual, &estimates.slightly_noticeable, &estimates.inflection})
     width->reason = reason;
@@ -80,7 +79,7 @@ JointAnalysis analyze_placed(const Analysis& analysis, const JointRequest& reque
   joint.thresholds = joint_thresholds(joint.fit, joint.data, joint.left_out);
   for (JointThreshold& threshold : joint.thresholds)
     if (joint.fit.estimated() && threshold.quantity == JointQuantity::inflection)
-      threshold.here.reason = "not given where levels were placed by the answers";
+      threshold.here.reason = NoThreshold::no_inflection;
   if (joint.fit.estimated()) joint.people.shift_sd = std::exp(joint.fit.theta[joint.fit.model.log_between()]);
   return joint;
 }
@@ -108,8 +107,7 @@ void set_aside_adaptive(Analysis& analysis) {
               .cells = {},
               .incomplete = {}};
     analysis.thresholds.push_back(estimate_thresholds(scores, analysis.resampling));
-    give_reason(analysis.thresholds.back().estimates,
-                level_words(scores.axis).levels + " were placed by the answers");
+    give_reason(analysis.thresholds.back().estimates, NoThreshold::placed_by_answers);
   }
   analysis.sos = {.a = nan, .ci95_low = nan, .ci95_high = nan, .stimuli = 0};
 }

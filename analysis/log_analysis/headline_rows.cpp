@@ -106,7 +106,7 @@ std::string note_on_gap(const Analysis& analysis, int curve) {
 }  // namespace
 
 bool in_guess_floor(const ThresholdEstimate& estimate) {
-  return estimate.reason.find("guess floor") != std::string::npos;
+  return estimate.reason == NoThreshold::guess_floor;
 }
 
 std::vector<HeadlineRow> headline_rows(const Analysis& analysis) {

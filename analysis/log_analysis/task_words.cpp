@@ -155,7 +155,7 @@ void set_aside_unrated(Analysis& analysis) {
     for (ThresholdEstimate CurveThresholds::*one :
          {&CurveThresholds::perceptual, &CurveThresholds::slightly_noticeable, &CurveThresholds::inflection,
           &CurveThresholds::perceptual_logistic, &CurveThresholds::slightly_noticeable_logistic})
-      found.*one = {.level_x = {}, .reason = "ratings were not asked", .ci95 = {}};
+      found.*one = {.level_x = {}, .reason = NoThreshold::ratings_not_asked, .ci95 = {}};
   };
   for (ArtifactThresholds& thresholds : analysis.thresholds) take_out(thresholds.estimates);
   for (CorrectedCurve& curve : analysis.guessing.curves) take_out(curve.estimates);

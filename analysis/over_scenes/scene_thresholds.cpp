@@ -46,7 +46,7 @@ LevelInterval interval_about(double x, double half, const LevelInterval& range) 
 std::string reason_of_scenes(const std::vector<SceneThreshold>& scenes, const LevelInterval& range) {
   std::vector<std::string> without;
   for (const SceneThreshold& one : scenes) {
-    if (one.here.reason.starts_with("not identified")) return one.here.reason;
+    if (one.here.reason == NoThreshold::guess_floor) return std::string(sentence(*one.here.reason));
     const bool near = !std::isnan(one.x) && one.x >= range.low_x && one.x <= range.high_x;
     if (!near) without.push_back(one.scene);
   }

@@ -24,4 +24,7 @@ struct LevelWords {
 
 [[nodiscard]] LevelWords level_words(const LevelAxis& axis);
 
+/// Why there is no estimate, for people: "above 512"; empty where there is one.
+[[nodiscard]] std::string reason_text(const ThresholdEstimate& estimate, const LevelAxis& axis);
+
 }  // namespace seamline::analysis

@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
-#include <string>
 
+#include "stimuli/definition/methods/no_threshold.h"
 #include "support/text/numbers.h"
 
 namespace seamline::analysis {
@@ -29,8 +29,10 @@ struct LevelInterval {
 /// A width read off a curve, or the reason why there is none.
 struct ThresholdEstimate {
   std::optional<double> level_x;
-  std::string reason;  ///< why `level_x` is empty, e.g. "above at every width"
+  std::optional<NoThreshold> reason;  ///< why `level_x` is empty; `reason_text` has its sentence
   LevelInterval ci95;
+  LevelInterval steepest =
+      {};  ///< of what is said of a step and beside the levels: where the curve is steepest
 };
 
 }  // namespace seamline::analysis

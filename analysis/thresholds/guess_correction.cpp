@@ -121,7 +121,7 @@ CorrectedCurve corrected_curve(const GuessTrials& trials, const ArtifactScores& 
   if (means.empty()) {
     for (ThresholdEstimate* estimate :
          {&curve.estimates.perceptual, &curve.estimates.slightly_noticeable, &curve.estimates.inflection})
-      estimate->reason = "no level on the axis was shown";
+      estimate->reason = NoThreshold::no_level_shown;
     return curve;
   }
   curve.estimates = thresholds_of_means(range.level_x, means, scores.axis);

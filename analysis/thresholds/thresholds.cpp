@@ -3,7 +3,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "analysis/scores/level_words.h"
 #include "analysis/statistics/logistic_level.h"
 #include "analysis/thresholds/closed_estimates.h"
 #include "analysis/thresholds/curve_replicates.h"
@@ -93,13 +92,9 @@ CurveThresholds thresholds_of_means(const std::vector<double>& level_x, const st
   result.isotonic = fit_non_increasing(means);
   result.logistic = Logistic4Fitter(level_x).fit(means);
   for (const ThresholdRule& rule : all_rules()) {
-    ThresholdEstimate& estimate = result.*rule.estimate;
-    if (rule.level) {
-      estimate = estimate_in(range_of(rule, result, level_x), result.logistic, level_x, axis);
-    } else {
-      estimate.reason = reason_of(result.logistic, level_x, axis);
-      if (estimate.reason.empty()) estimate.level_x = result.logistic.curve.centre_x;
-    }
+    result.*rule.estimate = rule.level
+                                ? estimate_in(range_of(rule, result, level_x), result.logistic, level_x, axis)
+                                : centre_of(result.logistic, level_x, axis);
   }
   return result;
 }
@@ -118,8 +113,7 @@ ArtifactThresholds estimate_thresholds(const ArtifactScores& scores, const Resam
   if (means.empty()) {
     const ThresholdEstimate nothing{
         .level_x = {},
-        .reason = scores.cells.empty() ? "nobody answered at every " + level_words(scores.axis).level
-                                       : "no level on the axis was shown",
+        .reason = scores.cells.empty() ? NoThreshold::nobody_answered : NoThreshold::no_level_shown,
         .ci95 = {}};
     result.estimates.perceptual = result.estimates.slightly_noticeable = result.estimates.inflection =
         result.estimates.perceptual_logistic = result.estimates.slightly_noticeable_logistic = nothing;

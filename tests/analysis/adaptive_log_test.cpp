@@ -35,7 +35,7 @@ TEST(AdaptiveLog, GivesNoCurveOfMeansAndSaysSo) {
          {thresholds.estimates.perceptual, thresholds.estimates.slightly_noticeable,
           thresholds.estimates.inflection}) {
       EXPECT_FALSE(width.level_x);
-      EXPECT_THAT(width.reason, HasSubstr("placed by the answers"));
+      EXPECT_EQ(width.reason, NoThreshold::placed_by_answers);
     }
   EXPECT_THAT(analysis.notes, Contains(HasSubstr("QUEST+")));
   EXPECT_THAT(analysis.notes, testing::Not(Contains(HasSubstr("no answer at one of the widths"))));
@@ -53,7 +53,7 @@ TEST(AdaptiveLog, ThresholdsOfTheGroupAreOfEachPersonsOwn) {
   for (const HeadlineRow& row : headline_rows(analysis)) {
     const std::string rule(row.rule->name);
     if (rule == "IP") {
-      EXPECT_THAT(row.here.reason, HasSubstr("placed by the answers"));
+      EXPECT_EQ(row.here.reason, NoThreshold::no_inflection);
     }
     EXPECT_FALSE(row.paper_way && row.paper_way->level_x) << rule;
     if (rule != "SN" || !row.here.level_x || !row.planted) continue;

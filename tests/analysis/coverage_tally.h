@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "analysis/scores/level_words.h"
 #include "analysis/statistics/estimate.h"
 
 namespace seamline::test {
@@ -36,7 +37,7 @@ struct CoverageTally {
              const ThresholdEstimate& planted, const CoverageTally* other) const {
     if (!planted.level_x) {
       std::printf("| %s | %s | %s | %s |  |  |  |  |  |\n", population, artifact, quantity,
-                  planted.reason.c_str());
+                  reason_text(planted, {}).c_str());
       return;
     }
     std::printf("| %s | %s | %s | %.0f | %.1f | %.1f | %.1f | %.0f | ", population, artifact, quantity,

@@ -200,8 +200,7 @@ TEST(GuessCorrection, WhenEveryoneGuessesNobodyIsSaidToHaveSeen) {
   const GuessCorrection correction = corrected(simulate_guessing(study, 7), {.replicates = 300});
   for (const CorrectedCurve& curve : correction.curves) {
     EXPECT_FALSE(curve.above_chance) << word(curve.artifact);
-    EXPECT_EQ(curve.estimates.perceptual.reason, "the curve lies below it at every width")
-        << word(curve.artifact);
+    EXPECT_EQ(curve.estimates.perceptual.reason, NoThreshold::curve_below) << word(curve.artifact);
     EXPECT_EQ(curve.estimates.perceptual.ci95.low_x, below_every_level);
   }
   EXPECT_THAT(correction.notes, Contains(HasSubstr("not shown to be more than by guessing")));

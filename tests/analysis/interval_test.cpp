@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "analysis/scores/level_words.h"
 #include "analysis/thresholds/closed_estimates.h"
 #include "analysis/thresholds/thresholds.h"
 #include "support/text/numbers.h"
@@ -84,7 +85,7 @@ TEST(Interval, PerfectObserversAreAboveEveryWidth) {
   const ArtifactThresholds found =
       estimate_thresholds(everyone_says({4, 4, 4, 4, 4, 4, 4}, 20), {.replicates = 200});
   EXPECT_FALSE(found.estimates.perceptual.level_x);
-  EXPECT_EQ(found.estimates.perceptual.reason, "the curve lies above it at every width");
+  EXPECT_EQ(found.estimates.perceptual.reason, NoThreshold::curve_above);
   EXPECT_EQ(found.estimates.perceptual.ci95.low_x, above_every_level);
   EXPECT_EQ(found.estimates.perceptual.ci95.high_x, above_every_level);
   EXPECT_FALSE(found.estimates.inflection.level_x);
@@ -118,7 +119,7 @@ TEST(ClosedEstimates, AreThereExactlyWhereTheIntervalIsClosed) {
               &found.slightly_noticeable_logistic}) {
           const bool is_closed = length_x(estimate->ci95).has_value();
           ASSERT_EQ(estimate->level_x.has_value(), is_closed) << people << " people, seed " << seed;
-          ASSERT_EQ(estimate->reason.empty(), is_closed) << estimate->reason;
+          ASSERT_EQ(estimate->reason.has_value(), !is_closed) << reason_text(*estimate, {});
           if (is_closed) {
             EXPECT_LE(estimate->ci95.low_x, *estimate->level_x);
             EXPECT_GE(estimate->ci95.high_x, *estimate->level_x);
@@ -134,15 +135,16 @@ TEST(ClosedEstimates, SayABoundWhereOneSideIsOpen) {
   const auto verdict = [](double low_x, double high_x) {
     ThresholdEstimate estimate{.level_x = 9, .reason = {}, .ci95 = {.low_x = low_x, .high_x = high_x}};
     keep_closed(estimate, {.low_x = 9, .high_x = 9}, {});
-    return estimate.level_x ? std::string("an estimate") : estimate.reason;
+    return estimate.level_x ? std::string("an estimate") : reason_text(estimate, {});
   };
   EXPECT_EQ(verdict(8, 10), "an estimate");
   EXPECT_EQ(verdict(8, above_every_level), "above 256");
   EXPECT_EQ(verdict(below_every_level, 10), "below 1024");
   EXPECT_EQ(verdict(below_every_level, above_every_level), "not determined: no width is excluded");
-  ThresholdEstimate step{.level_x = {}, .reason = "a step", .ci95 = {.low_x = 8.2, .high_x = 9}};
+  ThresholdEstimate step{.level_x = {}, .reason = NoThreshold::step, .ci95 = {.low_x = 8.2, .high_x = 9}};
   keep_closed(step, {.low_x = 8, .high_x = 9}, {});
   EXPECT_DOUBLE_EQ(step.level_x.value(), 8.5);
+  EXPECT_FALSE(step.reason);
   EXPECT_DOUBLE_EQ(step.ci95.low_x, 8);
 }
 

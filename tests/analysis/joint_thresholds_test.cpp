@@ -110,7 +110,7 @@ TEST(JointThresholds, ALevelInTheFloorOfGuessesHasNoNumber) {
   for (const JointThreshold& row : joint_thresholds(all.fit, all.data, all.left_out)) {
     if (row.quantity != JointQuantity::perceptual) continue;
     EXPECT_FALSE(row.here.level_x);
-    EXPECT_EQ(row.here.reason, "not identified: the level lies in the guess floor");
+    EXPECT_EQ(row.here.reason, NoThreshold::guess_floor);
   }
 }
 
@@ -138,7 +138,7 @@ TEST(JointThresholds, WithoutNumbersEachHasAReason) {
   const Fitted all = fitted(people, 1);
   for (const JointThreshold& row : joint_thresholds(all.fit, all.data, all.left_out)) {
     EXPECT_FALSE(row.here.level_x);
-    EXPECT_EQ(row.here.reason, "at chance");
+    EXPECT_EQ(row.here.reason, NoThreshold::at_chance);
   }
 }
 

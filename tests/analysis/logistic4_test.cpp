@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "analysis/scores/level_words.h"
 #include "analysis/thresholds/closed_estimates.h"
 #include "support/arithmetic/random.h"
 #include "tests/analysis/octaves.h"
@@ -61,7 +62,8 @@ TEST(Logistic4, AStepIsARangeNotANumber) {
   EXPECT_EQ(fit.verdict, Centre::step);
   EXPECT_DOUBLE_EQ(fit.centre_range.low_x, 8);
   EXPECT_DOUBLE_EQ(fit.centre_range.high_x, 9);
-  EXPECT_EQ(reason_of(fit, octaves, {}), "a step between 256 and 512: the widths tested do not say where");
+  EXPECT_EQ(reason_text(centre_of(fit, octaves, {}), {}),
+            "a step between 256 and 512: the widths tested do not say where");
 }
 
 TEST(Logistic4, SaysWhyThereIsNoCentre) {

@@ -36,13 +36,13 @@ TEST(LogisticLevel, IsWhereTheCurveHasTheLevel) {
 
 TEST(LogisticLevel, SaysWhenTheCurveNeverCrosses) {
   EXPECT_EQ(logistic_level_estimate(0.5, fitted({4, 3.8, 3, 2, 1.4, 1.2, 1.1}), octaves).reason,
-            "the curve lies above it at every width");
+            NoThreshold::curve_above);
   EXPECT_EQ(logistic_level_estimate(3.9, fitted({3.5, 3.3, 3, 2, 1.4, 1.2, 1.1}), octaves).reason,
-            "the curve lies below it at every width");
+            NoThreshold::curve_below);
   EXPECT_EQ(logistic_level_estimate(0.5, fitted(std::vector<double>(7, 1.0)), octaves).reason,
-            "the curve lies above it at every width");
+            NoThreshold::curve_above);
   EXPECT_EQ(logistic_level_estimate(1.5, fitted(std::vector<double>(7, 1.0)), octaves).reason,
-            "the curve lies below it at every width");
+            NoThreshold::curve_below);
 }
 
 TEST(LogisticLevel, OfAStepIsTheWholeGap) {
@@ -56,7 +56,7 @@ TEST(LogisticLevel, OfAStepIsTheWholeGap) {
 TEST(LogisticLevel, OfTooFewWidthsIsEverything) {
   const std::vector<double> three = {6, 7, 8};
   const Logistic4Fit fit = Logistic4Fitter(three).fit(std::vector<double>{4, 2, 0});
-  EXPECT_EQ(logistic_level_estimate(1, fit, three).reason, "not identified: under four widths");
+  EXPECT_EQ(logistic_level_estimate(1, fit, three).reason, NoThreshold::under_four_levels);
   EXPECT_EQ(logistic_level_range(1, fit, three).high_x, above_every_level);
 }
 

@@ -112,7 +112,7 @@ TEST(Replication, WhatCannotBeComparedIsSaid) {
   published.values[0].level.reset();
   published.values[1].artifact = Artifact::bounce;
   joint.thresholds[2 * every_joint_quantity.size()].here = {
-      .level_x = {}, .reason = "above every level", .ci95 = {}};
+      .level_x = {}, .reason = NoThreshold::open_hardest, .ci95 = {}};
   const Replication found = compare_with_published(joint, {.published = published});
   EXPECT_EQ(found.thresholds[0].verdict, not_reported);
   EXPECT_EQ(found.thresholds[1].verdict, not_tested);

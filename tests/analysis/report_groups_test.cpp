@@ -83,7 +83,7 @@ TEST(Headline, EveryCurveHasARowForEveryRule) {
   const std::vector<HeadlineRow> rows = headline_rows(analysis);
   EXPECT_EQ(rows.size(), 4 * threshold_rules.size());
   for (const HeadlineRow& row : rows) {
-    EXPECT_NE(row.here.level_x.has_value(), !row.here.reason.empty()) << row.rule->name;
+    EXPECT_NE(row.here.level_x.has_value(), row.here.reason.has_value()) << row.rule->name;
     EXPECT_EQ(row.paper_way.has_value(), row.rule->name == std::string("PT") ||
                                              row.rule->name == std::string("SN") ||
                                              row.rule->name == std::string("IP"));
@@ -117,7 +117,7 @@ TEST(Headline, GuessersHaveNoThresholdAndAWordForIt) {
   const Analysis analysis = analysed_for_groups(std::move(log));
   for (const HeadlineRow& row : headline_rows(analysis)) {
     EXPECT_FALSE(row.here.level_x) << row.rule->name;
-    EXPECT_FALSE(row.here.reason.empty());
+    EXPECT_TRUE(row.here.reason.has_value());
   }
   EXPECT_THAT(analysis.notes, Contains(HasSubstr("joint model has no numbers")));
 }

@@ -46,6 +46,7 @@ TEST(ThresholdsJson, HasTheFieldsOfTheContract) {
         const auto& value = artifact.at(std::string(key) + unit);
         EXPECT_EQ(value.at("ci95").size(), 2U);
         EXPECT_NE(value.at("estimate").is_null(), value.at("reason").is_null());
+        EXPECT_EQ(value.contains("reason_word"), value.at("estimate").is_null());
       }
     EXPECT_EQ(artifact["cells"].size(), 21U);
     for (const char* key : {"artifact", "object", "width_px", "n", "mean", "sem", "correct"})

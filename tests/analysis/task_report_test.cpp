@@ -15,6 +15,7 @@
 #include "analysis/report/page/methods_text.h"
 #include "analysis/report/page/report_html.h"
 #include "analysis/report/text/threshold_text.h"
+#include "analysis/scores/level_words.h"
 #include "analysis/thresholds/planted_noticeability.h"
 #include "study/running/simulation.h"
 #include "tests/study/temporary_set.h"
@@ -78,10 +79,11 @@ TEST(TaskReport, AnIntervalThatIsOpenOnOneSideIsShownAndSaysWhatToAdd) {
     ++open;
     const std::string interval = interval_text(row.here.ci95, row.tested);
     EXPECT_THAT(interval, testing::AnyOf(HasSubstr(" to above 1024"), HasSubstr("below 64 to ")));
-    EXPECT_THAT(row.here.reason, testing::EndsWith("add people, or levels there"));
-    EXPECT_THAT(table, HasSubstr(row.here.reason + "  "));
+    const std::string reason = reason_text(row.here, row.tested.axis);
+    EXPECT_THAT(reason, testing::EndsWith("add people, or levels there"));
+    EXPECT_THAT(table, HasSubstr(reason + "  "));
     EXPECT_THAT(table, HasSubstr(interval));
-    EXPECT_THAT(page, HasSubstr(interval + ": " + row.here.reason));
+    EXPECT_THAT(page, HasSubstr(interval + ": " + reason));
   }
   EXPECT_GT(open, 0) << "three levels and four people leave none open: take another seed";
 }

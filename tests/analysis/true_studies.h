@@ -103,7 +103,7 @@ inline TrueReading read_level(double level, const std::vector<double>& level_x,
   const MeanVector means = mean_and_covariance(scores.noticeability);
   const std::vector<double> mean(means.mean.begin(), means.mean.end());
   const double x = largest_x_at(level, level_x, fit_non_increasing(mean).value);
-  ThresholdEstimate estimate{.level_x = x, .reason = "", .ci95 = {}};
+  ThresholdEstimate estimate{.level_x = x, .reason = {}, .ci95 = {}};
   estimate.ci95 = level_interval(level, level_x, means, means.fewest);
   keep_closed(estimate, {.low_x = x, .high_x = x}, scores.axis);
   return {.point_x = x, .ci95 = estimate.ci95};

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
 
+#include "analysis/report/json/json_values.h"
 #include "composites/seamless_width.h"
 #include "support/files/atomic_file.h"
 #include "tests/complaint.h"
@@ -106,6 +109,35 @@ TEST(SeamThresholds, BelowAllWidthsAreTheSmallestOrTheUpperEndOfTheInterval) {
   };
   EXPECT_EQ(with_interval("[null,40]").width_px, 64);
   EXPECT_EQ(with_interval("[null,90.5]").width_px, 92);
+}
+
+/// As `analyze` writes them, and as earlier versions wrote them: with the sentence alone.
+TEST(SeamThresholds, WithoutANumberAreReadFromTheWordAsFromTheSentence) {
+  const std::set<NoThreshold> below = {NoThreshold::below_level, NoThreshold::open_easiest,
+                                       NoThreshold::curve_below};
+  for (std::size_t i = 0; i < number_of_reasons; ++i) {
+    const auto why = static_cast<NoThreshold>(i);
+    nlohmann::ordered_json threshold =
+        analysis::json_estimate({.level_x = {}, .reason = why, .ci95 = {.high_x = 7}}, analysis::LevelAxis{});
+    const auto need = [&] {
+      return receiver_need(of_report(
+          "joint",
+          R"("curve":[{"width_px":64}],"joint":{"perceptual_threshold_corrected_px":{"estimate":500},)"
+          R"("perceptual_threshold_px":)" +
+              threshold.dump() + "}"));
+    };
+    const WidthNeed by_word = need();
+    if (below.contains(why))
+      EXPECT_EQ(by_word.width_px, 128) << word(why);
+    else if (why == NoThreshold::guess_floor)
+      EXPECT_EQ(by_word.width_px, 500);
+    else
+      EXPECT_FALSE(by_word.width_px) << word(why);
+    ASSERT_EQ(threshold.erase("reason_word"), 1U);
+    const WidthNeed by_sentence = need();
+    EXPECT_EQ(by_sentence.width_px, by_word.width_px) << word(why);
+    EXPECT_EQ(by_sentence.rule, by_word.rule) << word(why);
+  }
 }
 
 TEST(SeamThresholds, InTheGuessFloorGiveWayToTheCorrectedOnes) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "analysis/scores/level_words.h"
 #include "support/text/csv.h"
 
 namespace seamline::analysis {
@@ -25,7 +26,8 @@ Json json_estimate(const ThresholdEstimate& estimate, const LevelAxis& axis, dou
   Json json;
   json["estimate"] =
       estimate.level_x ? json_number(level_at(axis, *estimate.level_x) / divisor) : Json(nullptr);
-  json["reason"] = estimate.reason.empty() ? Json(nullptr) : Json(estimate.reason);
+  json["reason"] = estimate.reason ? Json(reason_text(estimate, axis)) : Json(nullptr);
+  if (estimate.reason) json["reason_word"] = word(*estimate.reason);
   json["ci95"] = json_interval(estimate.ci95, axis, divisor);
   return json;
 }

@@ -9,7 +9,8 @@ namespace seamline::analysis {
 /// Six significant digits, or null when there is no finite number.
 [[nodiscard]] nlohmann::ordered_json json_number(std::optional<double> value);
 
-/// {estimate, reason, ci95: [low, high]} of a level, divided by `divisor`; an open end is null.
+/// {estimate, reason, ci95: [low, high]} of a level, divided by `divisor`; an open end is null. Beside a
+/// reason `reason_word` has its word.
 [[nodiscard]] nlohmann::ordered_json json_estimate(const ThresholdEstimate& estimate, const LevelAxis& axis,
                                                    double divisor = 1);
 

@@ -12,6 +12,7 @@
 #include "analysis/report/page/html_parts.h"
 #include "analysis/report/text/scenes_text.h"
 #include "analysis/report/text/threshold_text.h"
+#include "analysis/scores/level_words.h"
 #include "analysis/thresholds/angular_resolution.h"
 #include "support/text/html.h"
 
@@ -63,13 +64,15 @@ std::string headline_line(const HeadlineRow& row, bool first, const ColumnsShown
             cell(interval_text(row.simultaneous, row.tested), false);
   else if (has_end(row.here.ci95))
     line += fmt::format("<td colspan=\"3\" class=\"verdict\">{}: {}</td>",
-                        html_escape(interval_text(row.here.ci95, row.tested)), html_escape(row.here.reason));
+                        html_escape(interval_text(row.here.ci95, row.tested)),
+                        html_escape(reason_text(row.here, row.tested.axis)));
   else
-    line += fmt::format("<td colspan=\"3\" class=\"verdict\">{}</td>", html_escape(row.here.reason));
+    line += fmt::format("<td colspan=\"3\" class=\"verdict\">{}</td>",
+                        html_escape(reason_text(row.here, row.tested.axis)));
   if (widths) line += cell(texels_text(row.here));
   if (shown.papers_way)
     line += cell(row.paper_way ? (row.paper_way->level_x ? estimate_text(*row.paper_way, row.tested)
-                                                         : row.paper_way->reason)
+                                                         : reason_text(*row.paper_way, row.tested.axis))
                                : "–",
                  false);
   if (shown.paper)

@@ -30,7 +30,7 @@ void add_values(std::vector<CsvValue>& row, const LevelAxis& axis, const Thresho
   row.push_back(number(level_of(estimate, axis)));
   row.push_back(number(closed(ci95.low)));
   row.push_back(number(closed(ci95.high)));
-  row.emplace_back(estimate.reason);
+  row.emplace_back(reason_text(estimate, axis));
 }
 
 CsvTable beside_table(const Analysis& analysis) {
@@ -210,7 +210,7 @@ CsvTable origins_table(const Analysis& analysis) {
     std::vector<CsvValue> row = {std::string(word(found.artifact)), found.quantity, whole(found.lab),
                                  whole(found.web)};
     for (const OriginGroup* group : {&analysis.origins->lab, &analysis.origins->web}) {
-      ThresholdEstimate estimate{.level_x = {}, .reason = "nobody on the curve", .ci95 = {}};
+      ThresholdEstimate estimate{.level_x = {}, .reason = NoThreshold::nobody_on_curve, .ci95 = {}};
       for (const ArtifactThresholds& one : group->thresholds)
         if (one.artifact == found.artifact && one.condition == found.condition)
           estimate = found.quantity == "PT" ? one.estimates.perceptual : one.estimates.slightly_noticeable;

@@ -55,6 +55,7 @@ void add_estimate(std::vector<Field>& fields, const std::string& path, const std
                   const std::string& meaning) {
   fields.push_back({path + ".estimate", unit, meaning + "; null when there is none"});
   fields.push_back({path + ".reason", "text", "why there is no estimate; null when there is one"});
+  fields.push_back({path + ".reason_word", "word", "the same for programs; not written when there is one"});
   fields.push_back(
       {path + ".ci95[]", unit, "lower and upper end of its 95 % interval; null when open on that side"});
 }

@@ -45,7 +45,7 @@ CsvTable thresholds_joint_table(const Analysis& analysis) {
     table.rows.push_back(
         {std::string(word(row.artifact)), std::string(row.rule->name), number(level_of(row.here, axis)),
          number(closed(ci95.low)), number(closed(ci95.high)), number(closed(together.low)),
-         number(closed(together.high)), interval_text(row.here.ci95, row.tested), row.here.reason,
+         number(closed(together.high)), interval_text(row.here.ci95, row.tested), reason_text(row.here, axis),
          whole(row.beyond_levels ? 1 : 0), number(row.paper_way, axis), row.differs, source_text(analysis)});
     conditions.push_back(row.condition);
   }

@@ -170,7 +170,7 @@ std::vector<LateThreshold> thresholds_beside(const Analysis& with, const Analysi
          .tested = one.tested,
          .with = one.here,
          .without = other == others.end()
-                        ? ThresholdEstimate{.level_x = {}, .reason = "too few trials", .ci95 = {}}
+                        ? ThresholdEstimate{.level_x = {}, .reason = NoThreshold::too_few_trials, .ci95 = {}}
                         : other->here});
   }
   return beside;

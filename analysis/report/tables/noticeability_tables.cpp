@@ -127,7 +127,7 @@ CsvTable thresholds_table(const Analysis& analysis) {
     const LevelRange ci95 = range_at(axis, row.here.ci95);
     table.rows.push_back({std::string(word(row.artifact)), row.quantity, number(row.level), number(estimate),
                           number(closed(ci95.low)), number(closed(ci95.high)),
-                          interval_text(row.here.ci95, row.tested), row.here.reason,
+                          interval_text(row.here.ci95, row.tested), reason_text(row.here, axis),
                           estimate ? number(texels_per_degree(*estimate)) : CsvValue(std::monostate{}),
                           row.paper_px ? CsvValue(whole(*row.paper_px)) : CsvValue(std::monostate{}),
                           number(planted_level(row)), number(row.limit, axis), source_text(analysis)});

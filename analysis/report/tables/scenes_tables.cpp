@@ -1,6 +1,7 @@
 #include "analysis/report/tables/all_tables.h"
 
 #include "analysis/report/tables/table_columns.h"
+#include "analysis/scores/level_words.h"
 
 namespace seamline::analysis {
 namespace {
@@ -75,7 +76,7 @@ CsvTable thresholds_scenes_table(const ReportNumbers& numbers) {
         const LevelRange ci95 = range_at(axis, one.here.ci95);
         table.rows.push_back({std::string(word(curve.artifact)), one.scene, std::string(word(found.quantity)),
                               number(level_of(one.here, axis)), number(closed(ci95.low)),
-                              number(closed(ci95.high)), one.here.reason});
+                              number(closed(ci95.high)), reason_text(one.here, axis)});
         conditions.push_back(curve.condition);
       }
   add_conditions(table, numbers.conditions, conditions);

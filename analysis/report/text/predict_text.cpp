@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "analysis/report/text/threshold_text.h"
+#include "analysis/scores/level_words.h"
 #include "analysis/thresholds/paper_values.h"
 #include "support/files/markdown_table.h"
 #include "support/text/request_name.h"
@@ -34,7 +35,7 @@ CsvTable threshold_table(const Prediction& prediction) {
     if (level)
       row.emplace_back(widths ? fmt::format("{:.0f}", *level) : estimated_text(axis, *level));
     else
-      row.emplace_back(estimate.reason);
+      row.emplace_back(reason_text(estimate, axis));
     if (beside_paper) {
       row.emplace_back(paper_px ? CsvValue(std::int64_t{*paper_px}) : CsvValue());
       const bool both = level && paper_px;

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "analysis/report/text/threshold_text.h"
+#include "analysis/scores/level_words.h"
 
 namespace seamline::analysis {
 namespace {
@@ -26,7 +27,7 @@ std::string difference_text(const ReplicatedThreshold& row) {
 
 std::string here_text(const LevelAxis& axis, const ReplicatedThreshold& row) {
   if (row.verdict == ReplicationVerdict::not_tested) return "–";
-  if (!row.here.level_x) return row.here.reason;
+  if (!row.here.level_x) return reason_text(row.here, axis);
   const LevelRange ci95 = range_at(axis, row.here.ci95);
   return fmt::format("{} ({} to {})", estimated_text(axis, level_at(axis, *row.here.level_x)),
                      estimated_text(axis, ci95.low), estimated_text(axis, ci95.high));

@@ -8,6 +8,7 @@
 
 #include "analysis/log_analysis/headline_rows.h"
 #include "analysis/log_analysis/task_words.h"
+#include "analysis/scores/level_words.h"
 #include "analysis/thresholds/paper_values.h"
 
 namespace seamline::analysis {
@@ -22,7 +23,7 @@ std::string edge_text(double level, const TestedLevels& tested) {
 
 std::string level_text(const ThresholdEstimate& estimate, const LevelAxis& axis) {
   const std::optional<double> level = level_of(estimate, axis);
-  return level ? estimated_text(axis, *level) : estimate.reason;
+  return level ? estimated_text(axis, *level) : reason_text(estimate, axis);
 }
 
 }  // namespace
@@ -87,10 +88,10 @@ std::vector<std::vector<std::string>> headline_lines(const Analysis& analysis, b
                      size_text(row.here, row.tested.axis, "x"),
                      has_end(row.here.ci95) ? interval_text(row.here.ci95, row.tested) : ""});
     if (papers_way)
-      lines.back().push_back(
-          row.paper_way
-              ? (row.paper_way->level_x ? estimate_text(*row.paper_way, row.tested) : row.paper_way->reason)
-              : "");
+      lines.back().push_back(row.paper_way
+                                 ? (row.paper_way->level_x ? estimate_text(*row.paper_way, row.tested)
+                                                           : reason_text(*row.paper_way, row.tested.axis))
+                                 : "");
     if (paper) lines.back().push_back(row.paper_px ? std::to_string(*row.paper_px) : "-");
     if (simulated) lines.back().push_back(row.planted ? level_text(*row.planted, row.tested.axis) : "");
     last = &row;

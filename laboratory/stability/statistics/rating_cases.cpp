@@ -129,7 +129,7 @@ Finding try_constant_ratings() {
     for (const ThresholdEstimate* estimate :
          {&thresholds.estimates.perceptual, &thresholds.estimates.slightly_noticeable,
           &thresholds.estimates.inflection})
-      wrong += !estimate->level_x && !estimate->reason.empty() ? 0 : 1;
+      wrong += !estimate->level_x && estimate->reason ? 0 : 1;
     const OpinionScore opinion = opinion_scores(scores.noticeability).front();
     wrong +=
         opinion.mean == rating && opinion.sd == 0 && opinion.ci95_low == rating && opinion.ci95_high == rating
@@ -207,7 +207,7 @@ Finding try_stiff_curves() {
   for (const Wanted& curve : curves) {
     const CurveThresholds thresholds = thresholds_of_means(log2_widths(widths_px), curve.means);
     const bool identified = thresholds.inflection.level_x.has_value();
-    wrong += identified == curve.identified && (identified || !thresholds.inflection.reason.empty()) ? 0 : 1;
+    wrong += identified == curve.identified && (identified || thresholds.inflection.reason) ? 0 : 1;
     found += identified ? "+" : "-";
   }
   return {static_cast<double>(wrong), "identified: " + found};
