@@ -150,7 +150,7 @@ double quantile(std::vector<double>& values, double probability) {
   require_ordered(values);
   const double place = probability * static_cast<double>(values.size() - 1);
   const double share = place - std::floor(place);
-  const auto middle = values.begin() + place;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(place);
   std::nth_element(values.begin(), middle, values.end());
   if (share == 0 || middle + 1 == values.end()) return *middle;
   const double next = *std::min_element(middle + 1, values.end());

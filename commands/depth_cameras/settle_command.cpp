@@ -174,8 +174,8 @@ void run_settle(const SettleOptions& options) {
                                                                   {"planes", with_planes(options, measured)}};
   if (depth.exact) sequences.emplace_back("exact", *depth.exact);
   constexpr std::size_t runs_by_steps = 4;
-  Progress progress("settle", static_cast<double>(request.frames_to_rest + request.frames) *
-                                  (sequences.size() + (depth.exact ? runs_by_steps : 0)));
+  const std::size_t runs = sequences.size() + (depth.exact ? runs_by_steps : 0);
+  Progress progress("settle", static_cast<double>(request.frames_to_rest + request.frames) * runs);
   std::vector<Fall> falls;
   for (const auto& [name, sequence] : sequences) {
     request.name = name;

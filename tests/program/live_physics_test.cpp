@@ -54,5 +54,20 @@ TEST(LivePhysics, HasTheSamePosesAndPicturesForOneAndTwoThreads) {
   EXPECT_THAT(nowhere.output, testing::HasSubstr("seamline: --physics of builtin:teapot: wanted a surface"));
 }
 
+TEST(LivePhysics, ProgressOfASettlingBodyEndsWithItsLastFrame) {
+  const std::string command =
+      "settle builtin:bedroom --sensor tof_160x120 --ball 0.1 --position 0 1 0 --frames 2 --frames-to-rest 0 "
+      "--out " +
+      (test::fresh_folder("settle-progress") / "out").string();
+  if (!renderer::has_physics()) return test::expect_refused(command, "built with Bullet");
+  const test::Outcome outcome = run_seamline(command);
+  ASSERT_EQ(outcome.status, 0) << outcome.output;
+  std::size_t ends = 0;
+  for (std::size_t at = outcome.output.find("100 %"); at != std::string::npos;
+       at = outcome.output.find("100 %", at + 1))
+    ++ends;
+  EXPECT_EQ(ends, 1U) << outcome.output;
+}
+
 }  // namespace
 }  // namespace seamline
