@@ -1,5 +1,6 @@
 #include "analysis/joint/joint_analysis.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -29,8 +30,14 @@ JointAnalysis analyze_jointly(const GuessTrials& trials, const NoticeabilityData
 }
 
 const JointThreshold& threshold_of(const JointAnalysis& analysis, int curve, JointQuantity quantity) {
-  for (const JointThreshold& threshold : analysis.thresholds)
+  // They stand curve by curve, each with every quantity in its order.
+  const auto* in_order = std::find(every_joint_quantity.begin(), every_joint_quantity.end(), quantity);
+  const std::size_t place =
+      curve * every_joint_quantity.size() + static_cast<std::size_t>(in_order - every_joint_quantity.begin());
+  if (curve >= 0 && place < analysis.thresholds.size()) {
+    const JointThreshold& threshold = analysis.thresholds[place];
     if (threshold.curve == curve && threshold.quantity == quantity) return threshold;
+  }
   throw std::logic_error("a threshold of a curve that the joint model does not have");
 }
 

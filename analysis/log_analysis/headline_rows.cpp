@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/log_analysis/rows_of_curves.h"
 #include "analysis/log_analysis/task_words.h"
 
 namespace seamline::analysis {
@@ -13,11 +14,10 @@ namespace {
 
 constexpr double wide_gap_octaves = 1.01;
 
-const ThresholdRow* row_of(const std::vector<ThresholdRow>& rows, Artifact artifact,
-                           const std::string& condition, const std::string& quantity) {
-  for (const ThresholdRow& row : rows)
-    if (row.artifact == artifact && row.condition == condition && row.quantity == quantity) return &row;
-  return nullptr;
+const ThresholdRow* row_of(const std::vector<const ThresholdRow*>& rows, const std::string& quantity) {
+  const auto found = std::find_if(rows.begin(), rows.end(),
+                                  [&](const ThresholdRow* row) { return row->quantity == quantity; });
+  return found == rows.end() ? nullptr : *found;
 }
 
 /// The two tested levels around x.
@@ -48,9 +48,10 @@ std::string why_different(const HeadlineRow& row, const ArtifactScores& scores) 
 }
 
 std::vector<HeadlineRow> rows_of_curve(const Analysis& analysis, int curve,
-                                       const std::vector<ThresholdRow>& paper_way,
+                                       const RowsOfCurves<ThresholdRow>& paper_way,
                                        const PlantedDetection& known) {
   const ArtifactScores& scores = analysis.data.artifacts[curve];
+  const std::vector<const ThresholdRow*> beside_rows = rows_of(paper_way, scores);
   const bool rated = asks_ratings(analysis.log);
   std::vector<HeadlineRow> rows;
   for (std::size_t q = 0; q < threshold_rules.size(); ++q) {
@@ -71,7 +72,7 @@ std::vector<HeadlineRow> rows_of_curve(const Analysis& analysis, int curve,
                     .paper_px = {},
                     .planted = {},
                     .differs = {}};
-    if (const ThresholdRow* beside = row_of(paper_way, row.artifact, row.condition, rule.name)) {
+    if (const ThresholdRow* beside = row_of(beside_rows, rule.name)) {
       row.paper_way = beside->here;
       row.paper_px = beside->paper_px;
       if (beside->planted_x)
@@ -112,7 +113,8 @@ bool in_guess_floor(const ThresholdEstimate& estimate) {
 std::vector<HeadlineRow> headline_rows(const Analysis& analysis) {
   std::vector<HeadlineRow> rows;
   if (!analysis.joint) return rows;
-  const std::vector<ThresholdRow> paper_way = threshold_rows(analysis);
+  const std::vector<ThresholdRow> paper_rows = threshold_rows(analysis);
+  const RowsOfCurves<ThresholdRow> paper_way = rows_of_curves(paper_rows);
   const PlantedDetection planted = planted_detection(analysis);
   for (int curve = 0; curve < std::ssize(analysis.data.artifacts); ++curve) {
     std::vector<HeadlineRow> of_curve = rows_of_curve(analysis, curve, paper_way, planted);

@@ -1,6 +1,8 @@
 #include "analysis/thresholds/object_influence.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "analysis/statistics/isotonic.h"
 
@@ -8,14 +10,16 @@ namespace seamline::analysis {
 
 namespace {
 
+using CurveAnswers = std::vector<const study::Answer*>;
+
+/// Of two of one curve.
 bool shows(const study::Answer& answer, const ObjectCurve& object) {
-  return answer.artifact == object.artifact && answer.condition == object.condition &&
-         answer.scene == object.scene && answer.object_index == object.object_index &&
+  return answer.scene == object.scene && answer.object_index == object.object_index &&
          answer.object == object.object;
 }
 
 /// The artifact's curve without one of its objects; none when nobody answered all that is left.
-std::optional<ArtifactScores> scores_without(const study::LogContents& log,
+std::optional<ArtifactScores> scores_without(const study::LogContents& log, const CurveAnswers& of_curve,
                                              const std::vector<ParticipantUse>& people,
                                              const ObjectCurve& object, const LevelAxis& axis) {
   study::LogContents rest;
@@ -23,9 +27,8 @@ std::optional<ArtifactScores> scores_without(const study::LogContents& log,
   rest.quantity = log.quantity;
   rest.noticeability = log.noticeability;
   rest.participants = log.participants;
-  for (const study::Answer& answer : log.answers)
-    if (answer.artifact == object.artifact && answer.condition == object.condition && !shows(answer, object))
-      rest.answers.push_back(answer);
+  for (const study::Answer* answer : of_curve)
+    if (!shows(*answer, object)) rest.answers.push_back(*answer);
   NoticeabilityData data = average_answers(rest, people);
   if (data.artifacts.front().people.empty()) return std::nullopt;
   data.artifacts.front().axis = axis;  // with the unit of the whole log
@@ -61,19 +64,23 @@ void add_without(const ObjectCurve& object, const ArtifactScores& scores, Object
 std::vector<ObjectInfluence> leave_one_object_out(const study::LogContents& log,
                                                   const std::vector<ParticipantUse>& people,
                                                   const NoticeabilityData& data) {
+  std::map<std::pair<Artifact, std::string>, CurveAnswers> answers;
+  for (const study::Answer& answer : log.answers)
+    answers[{answer.artifact, answer.condition}].push_back(&answer);
+  std::map<std::pair<Artifact, std::string>, std::vector<const ObjectCurve*>> objects;
+  for (const ObjectCurve& object : data.objects)
+    objects[{object.artifact, object.condition}].push_back(&object);
   std::vector<ObjectInfluence> influences;
   for (const ArtifactScores& scores : data.artifacts) {
     ObjectInfluence influence;
     influence.artifact = scores.artifact;
     influence.condition = scores.condition;
-    const auto is_one = [&](const ObjectCurve& object) {
-      return object.artifact == scores.artifact && object.condition == scores.condition;
-    };
-    const auto objects = std::count_if(data.objects.begin(), data.objects.end(), is_one);
-    for (const ObjectCurve& object : data.objects)
-      if (objects > 1 && is_one(object))
-        if (const std::optional<ArtifactScores> rest = scores_without(log, people, object, data.axis))
-          add_without(object, *rest, influence);
+    const auto& own = objects[{scores.artifact, scores.condition}];
+    const CurveAnswers& of_curve = answers[{scores.artifact, scores.condition}];
+    if (own.size() > 1)
+      for (const ObjectCurve* object : own)
+        if (const auto rest = scores_without(log, of_curve, people, *object, data.axis))
+          add_without(*object, *rest, influence);
     influences.push_back(influence);
   }
   return influences;

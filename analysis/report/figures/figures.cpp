@@ -175,8 +175,13 @@ Figure average_figure(const Analysis& analysis, const std::filesystem::path& fol
 }
 
 void replace_all(std::string& text, const std::string& old, const std::string& fresh) {
-  for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at + fresh.size()))
-    text.replace(at, old.size(), fresh);
+  std::string out;
+  std::size_t from = 0;
+  for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, from)) {
+    out.append(text, from, at - from).append(fresh);
+    from = at + old.size();
+  }
+  if (from > 0) text = out.append(text, from);
 }
 
 }  // namespace

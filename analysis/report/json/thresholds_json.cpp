@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/log_analysis/headline_rows.h"
+#include "analysis/log_analysis/rows_of_curves.h"
 #include "analysis/report/json/json_values.h"
 #include "analysis/report/json/thresholds_parts.h"
 #include "analysis/report/text/threshold_text.h"
@@ -88,17 +89,15 @@ Json differences_json(const Analysis& analysis) {
 }
 
 /// The thresholds of record of a curve, by key and unit.
-Json headline_json(const Analysis& analysis, const ArtifactThresholds& curve,
-                   const std::vector<HeadlineRow>& rows) {
+Json headline_json(const Analysis& analysis, const std::vector<const HeadlineRow*>& rows) {
   Json json;
-  for (const HeadlineRow& row : rows) {
-    if (row.artifact != curve.artifact || row.condition != curve.condition) continue;
-    Json one = json_estimate(row.here, row.tested.axis);
-    one["ci95_text"] = interval_text(row.here.ci95, row.tested);
-    one["simultaneous_ci95"] = json_interval(row.simultaneous, row.tested.axis);
-    one["beyond_levels"] = row.beyond_levels;
-    one["differs"] = row.differs.empty() ? Json(nullptr) : Json(row.differs);
-    json[row.rule->key + unit_suffix(analysis.data.axis)] = std::move(one);
+  for (const HeadlineRow* row : rows) {
+    Json one = json_estimate(row->here, row->tested.axis);
+    one["ci95_text"] = interval_text(row->here.ci95, row->tested);
+    one["simultaneous_ci95"] = json_interval(row->simultaneous, row->tested.axis);
+    one["beyond_levels"] = row->beyond_levels;
+    one["differs"] = row->differs.empty() ? Json(nullptr) : Json(row->differs);
+    json[row->rule->key + unit_suffix(analysis.data.axis)] = std::move(one);
   }
   return json;
 }
@@ -123,7 +122,13 @@ Json joint_json(const JointAnalysis& joint) {
   return json;
 }
 
-Json artifact_json(const Analysis& analysis, std::size_t index, const std::vector<ThresholdRow>& rows) {
+/// What stands in one curve's part of the file.
+struct CurveRows {
+  RowsOfCurves<ThresholdRow> paper_way;
+  RowsOfCurves<HeadlineRow> of_record;
+};
+
+Json artifact_json(const Analysis& analysis, std::size_t index, const CurveRows& rows) {
   const ArtifactThresholds& thresholds = analysis.thresholds[index];
   Json json;
   json["artifact"] = word(thresholds.artifact);
@@ -133,8 +138,8 @@ Json artifact_json(const Analysis& analysis, std::size_t index, const std::vecto
   const LevelAxis& axis = analysis.data.axis;
   const std::string unit = unit_suffix(axis);
   Json planted, limit, paper, bootstrap;
-  for (const ThresholdRow& row : rows) {
-    if (row.artifact != thresholds.artifact || row.condition != thresholds.condition) continue;
+  for (const ThresholdRow* of_curve : rows_of(rows.paper_way, thresholds)) {
+    const ThresholdRow& row = *of_curve;
     json[row.key + unit] = estimate_json(row.here, row, 1);
     if (of_depth_widths(axis)) json[row.key + "_texels_per_degree"] = estimate_json(row.here, row, 360);
     paper[row.key + "_px"] = row.paper_px ? Json(*row.paper_px) : Json(nullptr);
@@ -142,7 +147,7 @@ Json artifact_json(const Analysis& analysis, std::size_t index, const std::vecto
     if (row.limit) limit[row.key + unit] = json_number(level_of(*row.limit, axis));
     if (row.bootstrap) bootstrap[row.key + unit] = json_interval(*row.bootstrap, axis);
   }
-  if (analysis.joint) json["joint"] = headline_json(analysis, thresholds, headline_rows(analysis));
+  if (analysis.joint) json["joint"] = headline_json(analysis, rows_of(rows.of_record, thresholds));
   json["planted"] = planted;
   json["planted_limit"] = limit;
   if (beside_the_paper(analysis)) json["paper"] = paper;
@@ -189,7 +194,9 @@ std::string thresholds_json(const Analysis& analysis, const std::vector<CurveOve
                      {"axis", is_linear(axis) ? "linear" : "log2"},
                      {"noticeability", noticeability_word(axis.noticeability)}};
   if (has_conditions(analysis.data)) json["conditions"] = analysis.data.conditions;
-  const std::vector<ThresholdRow> rows = threshold_rows(analysis);
+  const std::vector<ThresholdRow> paper_way = threshold_rows(analysis);
+  const std::vector<HeadlineRow> of_record = headline_rows(analysis);
+  const CurveRows rows{.paper_way = rows_of_curves(paper_way), .of_record = rows_of_curves(of_record)};
   json["artifacts"] = Json::array();
   for (std::size_t i = 0; i < analysis.thresholds.size(); ++i)
     json["artifacts"].push_back(artifact_json(analysis, i, rows));
