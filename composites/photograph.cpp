@@ -10,6 +10,7 @@
 #include "renderer/depth/sensor/sensor_pose.h"
 #include "support/arithmetic/bilinear.h"
 #include "support/files/picture_file.h"
+#include "support/text/counted.h"
 #include "support/text/error.h"
 #include "support/text/limits.h"
 #include "support/text/printable.h"
@@ -35,8 +36,7 @@ void require_colours(const Image& picture, const std::filesystem::path& path) {
     throw input_error(
         {.file = path.string(),
          .wanted = fmt::format("colours that are numbers, at most {:g}", limits::strongest_light),
-         .found =
-             fmt::format("{} pixel{} of another kind, the first {}", wrong, wrong == 1 ? "" : "s", first)});
+         .found = fmt::format("{} of another kind, the first {}", counted(wrong, "pixel"), first)});
 }
 
 /// The share of pixels that are white in some channel: 1 of codes, else the picture's largest value.

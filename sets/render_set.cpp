@@ -36,6 +36,7 @@
 #include "support/files/atomic_file.h"
 #include "support/running/memory.h"
 #include "support/running/progress.h"
+#include "support/text/counted.h"
 #include "support/text/error.h"
 #include "support/text/request_name.h"
 
@@ -141,10 +142,10 @@ class SetRenderer {
       written = std::move(now);
     }
     if (written.stimuli.size() < earlier_stimuli_)
-      summary_.notes.push_back(
-          fmt::format("the set had {} stimuli and now has {}: the others were rendered with other settings; "
-                      "render without {} to make them again",
-                      earlier_stimuli_, written.stimuli.size(), request_name("only")));
+      summary_.notes.push_back(fmt::format(
+          "the set had {} and now has {}: the others were rendered with other settings; "
+          "render without {} to make them again",
+          counted(earlier_stimuli_, "stimulus", "stimuli"), written.stimuli.size(), request_name("only")));
   }
 
   ReportProgress report(double work, const std::string& what) {

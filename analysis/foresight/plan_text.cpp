@@ -9,6 +9,7 @@
 
 #include "analysis/foresight/plan_scenes.h"
 #include "support/files/markdown_table.h"
+#include "support/text/counted.h"
 
 namespace seamline::analysis {
 namespace {
@@ -175,9 +176,9 @@ std::string bias_text(const StudyPlan& plan) {
 
 std::string design_text(const StudyPlan& plan, const DesignRow& design) {
   const int trials = static_cast<int>(level_count(plan, design)) * plan.trials_a_level + plan.references;
-  return fmt::format("{} participants, {}s \"{}\" ({} trials each, {} answers; chance {})",
-                     design.participants, level_word(plan.axis), plan.level_sets[design.level_set].name,
-                     trials, trials * design.participants, percent(design.assurance));
+  return fmt::format("{}, {}s \"{}\" ({} each, {}; chance {})", counted(design.participants, "participant"),
+                     level_word(plan.axis), plan.level_sets[design.level_set].name, counted(trials, "trial"),
+                     counted(trials * design.participants, "answer"), percent(design.assurance));
 }
 
 std::vector<DesignRow> designs_that_meet(const StudyPlan& plan) {

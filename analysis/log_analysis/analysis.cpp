@@ -17,6 +17,7 @@
 #include "stimuli/study_file/study_file.h"
 #include "study/observers/observer.h"
 #include "support/files/assets.h"
+#include "support/text/counted.h"
 #include "support/text/error.h"
 #include "support/text/request_name.h"
 
@@ -37,9 +38,9 @@ std::vector<std::string> notes_on_people(const Analysis& analysis) {
   const ParticipantCounts& counts = analysis.counts;
   if (counts.used < counts.in_log)
     notes.push_back(fmt::format(
-        "Of {} participants in the log {} are used; left out: {} excluded, {} pilot, {} who did "
-        "not finish{}.",
-        counts.in_log, counts.used, counts.excluded, counts.pilot, counts.incomplete,
+        "Of {} in the log {} used; left out: {} excluded, {} pilot, {} who did not finish{}.",
+        counted(counts.in_log, "participant"), counted(counts.used, "is", "are"), counts.excluded,
+        counts.pilot, counts.incomplete,
         fmt::format("{}{}", counts.screened > 0 ? fmt::format(", {} named by a screen", counts.screened) : "",
                     counts.vision > 0
                         ? fmt::format(", {} whose vision is neither normal nor corrected", counts.vision)
@@ -49,16 +50,18 @@ std::vector<std::string> notes_on_people(const Analysis& analysis) {
     if (person.use == Use::used && has_uncorrected_vision(person.record))
       uncorrected.push_back(person.record.code);
   if (!uncorrected.empty())
-    notes.push_back(fmt::format(
-        "{} participant{} used whose vision is neither normal nor corrected ({}); {} leaves them out.",
-        uncorrected.size(), uncorrected.size() == 1 ? " is" : "s are", fmt::join(uncorrected, ", "),
-        request_name("exclude_uncorrected")));
+    notes.push_back(
+        fmt::format("{} used whose vision is neither normal nor corrected ({}); {} leaves them out.",
+                    counted(uncorrected.size(), "participant is", "participants are"),
+                    fmt::join(uncorrected, ", "), request_name("exclude_uncorrected")));
   if (analysis.log.forgotten_participants > 0)
-    notes.push_back(fmt::format("{} participants were deleted from the log at their request.",
-                                analysis.log.forgotten_participants));
+    notes.push_back(
+        fmt::format("{} deleted from the log at their request.",
+                    counted(analysis.log.forgotten_participants, "participant was", "participants were")));
   if (counts.simulated > 0 && counts.simulated < counts.used)
-    notes.push_back(fmt::format("{} of the {} participants used are simulated observers.", counts.simulated,
-                                counts.used));
+    notes.push_back(
+        fmt::format("{} of the {} participants used {}.", counts.simulated, counts.used,
+                    counts.simulated == 1 ? "is a simulated observer" : "are simulated observers"));
   if (counts.used < 2)
     notes.emplace_back(
         "With one participant there are no standard errors and no intervals over participants, so no "
@@ -103,8 +106,8 @@ void add_notes_on_screening(Analysis& analysis) {
   for (ScreeningRule rule : every_screening_rule)
     if (const std::vector<std::string> named = analysis.screening.named_by(rule); !named.empty())
       analysis.notes.push_back(
-          fmt::format("Screening by {} names {} participant{} ({}), {}.", word(rule), named.size(),
-                      named.size() == 1 ? "" : "s", fmt::join(named, ", "),
+          fmt::format("Screening by {} names {} ({}), {}.", word(rule), counted(named.size(), "participant"),
+                      fmt::join(named, ", "),
                       leaves_out(analysis.options, rule)
                           ? "left out"
                           : "used all the same unless " + request_name("exclude_screened") + " is given"));
@@ -313,11 +316,11 @@ Analysis analyze(study::LogContents log, bool include_pilot, const ResamplingReq
 
 std::string source_text(const Analysis& analysis) {
   const ParticipantCounts& counts = analysis.counts;
-  if (counts.simulated == 0) return fmt::format("{} participant{}", counts.used, counts.used == 1 ? "" : "s");
+  if (counts.simulated == 0) return counted(counts.used, "participant");
   if (counts.simulated < counts.used)
     return fmt::format("{} participants, {} of them simulated observers", counts.used, counts.simulated);
   const std::string_view kind = common_observer(analysis.people);
-  return fmt::format("{} simulated observer{} ({})", counts.used, counts.used == 1 ? "" : "s",
+  return fmt::format("{} ({})", counted(counts.used, "simulated observer"),
                      kind.empty() ? "several kinds" : kind);
 }
 

@@ -6,6 +6,7 @@
 
 #include "analysis/scores/cells.h"
 #include "analysis/statistics/distributions.h"
+#include "support/text/counted.h"
 #include "support/text/error.h"
 #include "support/text/request_name.h"
 
@@ -66,8 +67,8 @@ std::vector<std::string> no_seam_sentences(const Analysis& analysis, double leve
       const std::string place = fmt::format("'{}'{} at {}", word(scores.artifact),
                                             in_condition(scores.condition), tested_text(axis, level));
       if (of_people.size() < 2) {
-        sentences.push_back(fmt::format("That no seam is seen in {} was not tested: {} participants.", place,
-                                        of_people.size()));
+        sentences.push_back(fmt::format("That no seam is seen in {} was not tested: {}.", place,
+                                        counted(of_people.size(), "participant")));
         continue;
       }
       const CellMean mean = mean_over_participants(of_people);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "support/text/counted.h"
+
 namespace seamline::analysis {
 namespace {
 
@@ -111,9 +113,8 @@ std::string verdict_of(const FrozenComparison& comparison) {
   const std::size_t count = comparison.deviations.size();
   return fmt::format("Preregistration {} ({}): {} Confirmatory: {}; all else explores.", comparison.sha256,
                      comparison.archive,
-                     count == 0
-                         ? "data and analysis are those that were frozen."
-                         : fmt::format("{} deviation{} from what was frozen.", count, count == 1 ? "" : "s"),
+                     count == 0 ? "data and analysis are those that were frozen."
+                                : counted(count, "deviation") + " from what was frozen.",
                      fmt::join(comparison.thresholds, ", "));
 }
 

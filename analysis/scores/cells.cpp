@@ -6,6 +6,7 @@
 #include <set>
 #include <tuple>
 
+#include "support/text/counted.h"
 #include "support/text/error.h"
 #include "support/text/numbers.h"
 #include "support/text/request_name.h"
@@ -156,8 +157,8 @@ ObjectTallies tallies_of_somebody(const study::LogContents& log, const std::vect
     throw input_error({.file = log.file.string(),
                        .field = "",
                        .wanted = "answers of at least one completed participant who is not excluded",
-                       .found = "none among " + std::to_string(people.size()) +
-                                " participants (pilot data need " + request_name("include_pilot") + ")"});
+                       .found = "none among " + counted(people.size(), "participant") + " (pilot data need " +
+                                request_name("include_pilot") + ")"});
   return tallies;
 }
 

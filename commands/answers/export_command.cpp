@@ -13,6 +13,7 @@
 #include "stimuli/set/clip_video.h"
 #include "study/exchange/export_tables.h"
 #include "study/online/page/web_export.h"
+#include "support/text/counted.h"
 #include "support/text/number_option.h"
 
 namespace seamline::study::online {
@@ -44,8 +45,8 @@ void run_tables(const TablesOptions& options) {
        .out_folder = options.folder,
        .anonymise_k = options.anonymise ? std::optional(options.k.value_or(usual_k)) : std::nullopt,
        .layout = layout_of(options.layout)});
-  fmt::print("{}: {} answers of {} participant{}\n", options.folder, summary.answers, summary.participants,
-             summary.participants == 1 ? "" : "s");
+  fmt::print("{}: {} of {}\n", options.folder, counted(summary.answers, "answer"),
+             counted(summary.participants, "participant"));
   if (!summary.anonymity) return;
   const Anonymity& anonymity = *summary.anonymity;
   const auto of_people = [](const GroupedField& field) { return field.smallest_group > 0; };
@@ -60,12 +61,11 @@ void run_tables(const TablesOptions& options) {
                summary.smallest_group);
   if (anonymity.left_out_people > 0)
     fmt::print(
-        "  left out: {} people, since fewer than {} have finished, been excluded or made a trial run as they "
-        "have\n",
-        anonymity.left_out_people, anonymity.k);
+        "  left out: {}, since fewer than {} have finished, been excluded or made a trial run as they have\n",
+        counted(anonymity.left_out_people, "person", "people"), anonymity.k);
   if (anonymity.unfinished_people > 0)
-    fmt::print("  left out: the answers of {} people who did not finish, which would tell their order\n",
-               anonymity.unfinished_people);
+    fmt::print("  left out: the answers of {} who did not finish, which would tell their order\n",
+               counted(anonymity.unfinished_people, "person", "people"));
   if (!anonymity.keeps_origin)
     fmt::print("  left out: how people came (origin), since fewer than {} came one of the ways\n",
                anonymity.k);
@@ -79,10 +79,10 @@ void run_web(const WebOptions& options) {
                                                  : options.jatos ? Origin::jatos
                                                                  : Origin::static_host,
                                          .pilot = options.pilot});
-  fmt::print("{}: {} files, {:.1f} MB, {} pictures, {}\n", options.folder, summary.files, summary.bytes / 1e6,
-             summary.pictures,
-             summary.adaptive ? std::string("trials placed by `seamline serve`")
-                              : fmt::format("{} orders", summary.slots));
+  fmt::print(
+      "{}: {}, {:.1f} MB, {}, {}\n", options.folder, counted(summary.files, "file"), summary.bytes / 1e6,
+      counted(summary.pictures, "picture"),
+      summary.adaptive ? std::string("trials placed by `seamline serve`") : counted(summary.slots, "order"));
   if (!summary.drafts.empty())
     fmt::print("machine drafts, to be checked by a speaker: {}\n", fmt::join(summary.drafts, ", "));
   if (summary.guessable_orders)
@@ -139,7 +139,7 @@ void add_video(CLI::App& group) {
   command->add_option("set", options->set, "folder of the rendered set")->required();
   command->add_option("folder", options->folder, "folder for the videos, .y4m")->required();
   command->callback([options] {
-    fmt::print("{}: {} videos\n", options->folder, write_videos(options->set, options->folder));
+    fmt::print("{}: {}\n", options->folder, counted(write_videos(options->set, options->folder), "video"));
   });
 }
 

@@ -18,6 +18,7 @@
 #include "study/log/recovery/log_upgrade.h"
 #include "study/running/quest_plus_results.h"
 #include "study/running/staircase_results.h"
+#include "support/text/counted.h"
 
 namespace seamline::study {
 namespace {
@@ -40,8 +41,8 @@ void forget_person(const std::string& log, const std::string& code, const std::s
       std::any_of(codes.begin(), codes.end(), [&](const auto& line) { return line.second == code; });
   if (is_in_log || !is_in_codes) forget_participant(log, code);
   (void)forget_recruit(log, code);
-  fmt::print("{}: {} in {}, {} lines taken out of {}\n", code, is_in_log ? "forgotten" : "not there any more",
-             log, forget_invitation_of(codes_file, code), codes_file);
+  fmt::print("{}: {} in {}, {} taken out of {}\n", code, is_in_log ? "forgotten" : "not there any more", log,
+             counted(forget_invitation_of(codes_file, code), "line"), codes_file);
 }
 
 /// What a command of `log` was given: the log, one more word, and the value of its option.
@@ -97,12 +98,13 @@ void add_people(CLI::App& log) {
 void add_panel(CLI::App& log) {
   add_action(log, "identifiers", "write who came from a panel as which participant, with which end, as CSV",
              {"file", "CSV to write"}, [](const LogArguments& given) {
-               fmt::print("{}: {} people\n", given.second, write_recruits(given.log, given.second));
+               fmt::print("{}: {}\n", given.second,
+                          counted(write_recruits(given.log, given.second), "person", "people"));
              });
   add_action(log, "forget-identifiers", "delete all identifiers of a panel, and keep the answers",
              [](const LogArguments& given) {
-               fmt::print("{}: the identifiers of {} people are deleted; their answers stay\n", given.log,
-                          forget_identifiers(given.log));
+               fmt::print("{}: the identifiers of {} are deleted; their answers stay\n", given.log,
+                          counted(forget_identifiers(given.log), "person", "people"));
              });
 }
 

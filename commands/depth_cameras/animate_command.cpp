@@ -12,6 +12,7 @@
 #include "commands/photographs/mesh_options.h"
 #include "sensors/skeleton/figure_motion.h"
 #include "support/files/atomic_file.h"
+#include "support/text/counted.h"
 #include "support/text/csv.h"
 #include "support/text/printable.h"
 
@@ -55,9 +56,9 @@ void run_animate(const AnimateOptions& options) {
   if (!options.angles.empty()) write_file_atomically(options.angles, csv_text(turned_table(motion, moved)));
   double square = 0, most_m = 0;
   for (const double rms_m : moved.rms_m) square += rms_m * rms_m, most_m = std::max(most_m, rms_m);
-  fmt::print("{}: animation \"{}\", {} joints, {} moments from {:.2f} to {:.2f} s\n", printable(options.out),
-             printable(options.name), motion.joints.size(), motion.times_s.size(), motion.times_s.front(),
-             motion.times_s.back());
+  fmt::print("{}: animation \"{}\", {}, {} from {:.2f} to {:.2f} s\n", printable(options.out),
+             printable(options.name), counted(motion.joints.size(), "joint"),
+             counted(motion.times_s.size(), "moment"), motion.times_s.front(), motion.times_s.back());
   fmt::print(
       "its joints, on its own bones, are {:.1f} mm from the recorded ones (RMS), "
       "{:.1f} mm in the worst moment\n",

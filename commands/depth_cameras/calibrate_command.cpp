@@ -15,6 +15,7 @@
 #include "support/files/atomic_file.h"
 #include "support/files/image.h"
 #include "support/running/interrupt.h"
+#include "support/text/counted.h"
 #include "support/text/csv.h"
 #include "support/text/error.h"
 #include "support/text/number_option.h"
@@ -197,8 +198,8 @@ Result result_of_pairs(const CalibrateOptions& options, const CameraFile& known)
   result.refined = pose_of_pairs(*known.colour, file.pairs, options.pairs);
   result.cameras.colour_from_depth = result.refined.estimate.first_from_view.front();
   add_pose(result.parameters, *result.cameras.colour_from_depth, result.refined.first_of_view(0));
-  result.said = fmt::format("{} pairs used, {} left out for a confidence below {:g}\n", file.pairs.size(),
-                            file.left_out, options.least_confidence);
+  result.said = fmt::format("{} used, {} left out for a confidence below {:g}\n",
+                            counted(file.pairs.size(), "pair"), file.left_out, options.least_confidence);
   return result;
 }
 

@@ -12,6 +12,7 @@
 #include "live/recording/make_recording.h"
 #include "raytracer/common/parallel.h"
 #include "support/files/assets.h"
+#include "support/text/counted.h"
 #include "support/text/error.h"
 #include "support/text/number_option.h"
 
@@ -66,8 +67,9 @@ void run_record(RecordOptions options) {
       .photograph = {.spp = options.photograph.spp, .seed = seed, .threads = default_thread_count()}};
   const Recording recording =
       make_recording(file, definition, rig, options.preset, options.make, options.out);
-  fmt::print("{}: {} frames, depth {} x {}, colour {} x {}\n", options.out, recording.frames.size(),
-             rig.depth.width_px, rig.depth.height_px, rig.colour.width_px, rig.colour.height_px);
+  fmt::print("{}: {}, depth {} x {}, colour {} x {}\n", options.out,
+             counted(recording.frames.size(), "frame"), rig.depth.width_px, rig.depth.height_px,
+             rig.colour.width_px, rig.colour.height_px);
 }
 
 }  // namespace

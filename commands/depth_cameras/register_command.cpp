@@ -24,6 +24,7 @@
 #include "sensors/repair/several_frames.h"
 #include "stimuli/settings/repair_settings.h"
 #include "support/files/atomic_file.h"
+#include "support/text/counted.h"
 #include "support/text/error.h"
 #include "support/text/number_option.h"
 #include "support/text/printable.h"
@@ -137,8 +138,8 @@ sensors::DepthFrame read_depth(const RegisterOptions& options, const Registratio
       meaning.nothing = {65535};
     sensors::DepthFromValues read = sensors::depth_of_values(raw, path, rig.depth_form, meaning);
     if (read.why.coded > 0)
-      fmt::print(stderr, "note: {}: {} pixels hold a value that stands for nothing\n", printable(path),
-                 read.why.coded);
+      fmt::print(stderr, "note: {}: {} {} a value that stands for nothing\n", printable(path),
+                 counted(read.why.coded, "pixel"), read.why.coded == 1 ? "holds" : "hold");
     frames.push_back(std::move(read.file.frame));
   }
   return sensors::mean_of_frames(frames, "--depth");

@@ -18,6 +18,7 @@
 #include "sensors/rig/presets.h"
 #include "support/arithmetic/random.h"
 #include "support/files/atomic_file.h"
+#include "support/text/counted.h"
 #include "support/text/csv.h"
 #include "support/text/error.h"
 #include "support/text/number_option.h"
@@ -88,9 +89,10 @@ void run_person(const PersonOptions& options) {
   write_png(folder / "skeleton.png", skeleton_over_depth(registration::depth_picture(measured.frame),
                                                          measured.frame, user, world_from_depth.inverse()));
   fmt::print(
-      "{}: {} joints; angles by cyclic coordinate descent put them {:.2f} mm from where they were "
-      "tracked (root mean square), after {} sweeps\n",
-      options.out, user.joints_m.size(), 1000 * fitted.rms_m, fitted.sweeps);
+      "{}: {}; angles by cyclic coordinate descent put them {:.2f} mm from where they were "
+      "tracked (root mean square), after {}\n",
+      options.out, counted(user.joints_m.size(), "joint"), 1000 * fitted.rms_m,
+      counted(fitted.sweeps, "sweep"));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "commands/options/setting_option.h"
 #include "renderer/depth/depth_mesh.h"
+#include "support/text/counted.h"
 #include "support/text/number_option.h"
 
 namespace seamline::renderer {
@@ -40,8 +41,9 @@ inline CLI::Option* add_yaw_option(CLI::App& command, MeshCommandOptions& option
 [[nodiscard]] inline DepthMesh panorama_mesh_of(const MeshCommandOptions& options) {
   const DepthMap map = read_depth_map(options.depth);
   if (map.cleaned_texels > 0)
-    fmt::print(stderr, "{}: {} texels were 0, negative, not a number or beyond 1e9 m and are read as holes\n",
-               options.depth, map.cleaned_texels);
+    fmt::print(stderr, "{}: {} 0, negative, not a number or beyond 1e9 m and {}\n", options.depth,
+               counted(map.cleaned_texels, "texel was", "texels were"),
+               map.cleaned_texels == 1 ? "is read as a hole" : "are read as holes");
   return build_depth_mesh(
       map, {.density = options.density, .tolerance = options.tolerance, .yaw_texels = options.yaw_texels});
 }

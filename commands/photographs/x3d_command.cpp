@@ -10,6 +10,7 @@
 
 #include "commands/photographs/sun_options.h"
 #include "support/files/assets.h"
+#include "support/text/counted.h"
 #include "support/text/error.h"
 #include "support/text/number_option.h"
 #include "support/text/printable.h"
@@ -97,8 +98,8 @@ void run_x3d(const X3dOptions& options, const CLI::App& command) {
   if (!is_set) take_scene(options, command, request);
   const X3dSummary summary = export_x3d(request);
   for (const std::string& note : summary.notes) fmt::print("{}\n", printable(note));
-  fmt::print("{}: {} files, {:.1f} MB; the object has {} pixels, {} of them behind something real\n",
-             options.folder, summary.files, summary.bytes / 1e6, summary.object_pixels,
+  fmt::print("{}: {}, {:.1f} MB; the object has {}, {} of them behind something real\n", options.folder,
+             counted(summary.files, "file"), summary.bytes / 1e6, counted(summary.object_pixels, "pixel"),
              summary.hidden_pixels);
 }
 

@@ -13,6 +13,7 @@
 #include "commands/options/command_help.h"
 #include "commands/planning/plan_options.h"
 #include "support/files/atomic_file.h"
+#include "support/text/counted.h"
 #include "support/text/error.h"
 #include "support/text/number_option.h"
 #include "support/text/printable.h"
@@ -91,10 +92,10 @@ void freeze(const FreezeOptions& options) {
   }
   write_file_atomically(options.out, archive_text(content));
   fmt::print(
-      "{}: study {}, {} stimulus set{}, {} participants\nSHA-256 {}\nKeep the file as it is, and publish it "
+      "{}: study {}, {}, {}\nSHA-256 {}\nKeep the file as it is, and publish it "
       "or this hash where a date is put to it, before anybody is asked.\n",
-      options.out, printable(content.study_name), content.sets.size(), content.sets.size() == 1 ? "" : "s",
-      content.participants, read_archive(options.out).sha256);
+      options.out, printable(content.study_name), counted(content.sets.size(), "stimulus set"),
+      counted(content.participants, "participant"), read_archive(options.out).sha256);
   if (options.kit.empty()) return;
   write_replication_kit({.folder = options.kit,
                          .archive = options.out,

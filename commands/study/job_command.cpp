@@ -19,6 +19,7 @@
 #include "support/files/atomic_file.h"
 #include "support/files/held/prepared_folder.h"
 #include "support/running/progress.h"
+#include "support/text/counted.h"
 #include "support/text/error.h"
 #include "support/text/number_option.h"
 
@@ -80,14 +81,14 @@ void write_cluster_job(const JobOptions& options) {
   for (const JobElement& element : job.elements) elements_s += element.seconds;
   all_s += elements_s;
   fmt::print(
-      "{}: {} truths, then {} elements of {} to {} (mean {}), then join; {} in all on {} thread{} each, {} "
+      "{}: {}, then {} of {} to {} (mean {}), then join; {} in all on {} each, {} "
       "MB; from a probe of {}\nrun {}\n",
-      folder.string(), job.truths.size(), job.elements.size(),
+      folder.string(), counted(job.truths.size(), "truth"), counted(job.elements.size(), "element"),
       duration_text(std::min_element(job.elements.begin(), job.elements.end(),
                                      [](const auto& a, const auto& b) { return a.seconds < b.seconds; })
                         ->seconds),
       duration_text(job.longest_element_s()), duration_text(elements_s / job.elements.size()),
-      duration_text(all_s), job.threads, job.threads == 1 ? "" : "s", job.memory_bytes >> 20,
+      duration_text(all_s), counted(job.threads, "thread"), job.memory_bytes >> 20,
       duration_text(costs.measured_s), (folder / (options.slurm.empty() ? "run" : "submit")).string());
 }
 

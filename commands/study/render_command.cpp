@@ -25,6 +25,7 @@
 #include "stimuli/set/set_study.h"
 #include "stimuli/study_file/study_file.h"
 #include "support/running/progress.h"
+#include "support/text/counted.h"
 #include "support/text/error.h"
 #include "support/text/number_option.h"
 
@@ -82,7 +83,7 @@ void run_photographs(const RenderOptions& options, const std::string& folder) {
   PhotographsRequest request{.folder = folder, .only = options.only, .threads = options.threads};
   if (options.spp > 0) request.spp = options.spp;
   const int count = write_photographs(study, request);
-  fmt::print("{}: {} photograph{}, each with its true depth\n", folder, count, count == 1 ? "" : "s");
+  fmt::print("{}: {}, each with its true depth\n", folder, counted(count, "photograph"));
 }
 
 void run_render(const RenderCommand& options) {
@@ -117,16 +118,18 @@ void run_verify(const std::string& set) {
   (void)study_of_set(set, manifest);
   check_manifest_pictures(set, manifest);
   check_clips(set);
-  fmt::print("{}: {} stimuli and {} reference{} are as the manifest says\n", set, manifest.stimuli.size(),
-             manifest.references.size(), manifest.references.size() == 1 ? "" : "s");
+  fmt::print("{}: {} and {} are as the manifest says\n", set,
+             counted(manifest.stimuli.size(), "stimulus", "stimuli"),
+             counted(manifest.references.size(), "reference"));
 }
 
 }  // namespace
 
 RenderSummary render_and_say(const StudyDefinition& study, const RenderRequest& request) {
   RenderSummary summary = render_set(study, request);
-  fmt::print("{}: {} stimuli rendered, {} kept from before, {}\n", request.set_folder.string(),
-             summary.rendered, summary.already_finished, duration_text(summary.seconds));
+  fmt::print("{}: {} rendered, {} kept from before, {}\n", request.set_folder.string(),
+             counted(summary.rendered, "stimulus", "stimuli"), summary.already_finished,
+             duration_text(summary.seconds));
   for (const std::string& note : summary.notes) fmt::print(stderr, "seamline: {}\n", note);
   std::fflush(stdout);
   return summary;

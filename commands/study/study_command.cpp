@@ -13,6 +13,7 @@
 #include "study/log/participant_code.h"
 #include "study/running/simulation.h"
 #include "study/trials/rendered_set.h"
+#include "support/text/counted.h"
 #include "support/text/error.h"
 #include "support/text/number_option.h"
 #include "support/text/suggest.h"
@@ -60,11 +61,12 @@ void simulate(const StudyOptions& options) {
                                                          .image_gain = gain,
                                                          .count = options.count,
                                                          .seed = options.seed});
-  fmt::print("{}: {} simulated participants run ({} answers), {} were complete before\n", options.log,
-             summary.participants_run, summary.answers_added, summary.participants_complete);
+  fmt::print("{}: {} run ({}), {} complete before\n", options.log,
+             counted(summary.participants_run, "simulated participant"),
+             counted(summary.answers_added, "answer"), counted(summary.participants_complete, "was", "were"));
   if (summary.tracks_on_edge > 0)
-    fmt::print("alarm: in {} tracks the threshold leans on the edge of the grid (seamline log tracks {})\n",
-               summary.tracks_on_edge, options.log);
+    fmt::print("alarm: in {} the threshold leans on the edge of the grid (seamline log tracks {})\n",
+               counted(summary.tracks_on_edge, "track"), options.log);
 }
 
 /// Of a set or a study file, to the standard output; what is missing is counted beside it.
@@ -79,7 +81,7 @@ void print_texts(const StudyOptions& options) {
       if (language.tag == texts.tag) texts = read_study_texts(read, language);
   fmt::print("{}", texts_to_translate(read, texts));
   const std::vector<std::string> missing = missing_texts(read, texts);
-  fmt::print(stderr, "{}: {} texts to translate{}{}\n", texts.tag, missing.size(),
+  fmt::print(stderr, "{}: {} to translate{}{}\n", texts.tag, counted(missing.size(), "text"),
              missing.empty() ? "" : ": ", fmt::join(missing, ", "));
 }
 

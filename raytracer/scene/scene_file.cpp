@@ -11,6 +11,7 @@
 #include "raytracer/scene/gltf/gltf_mesh.h"
 #include "raytracer/scene/scene_moment.h"
 #include "support/arithmetic/units.h"
+#include "support/text/counted.h"
 #include "support/text/error.h"
 #include "support/text/limits.h"
 #include "support/text/printable.h"
@@ -42,9 +43,7 @@ class NodeWalker {
       for (const int node : model_.scenes[scene].nodes) visit(node, Eigen::Affine3d::Identity(), 0);
     }
     out_.file = file_;
-    if (further_cameras_ > 0)
-      left_out_.insert(further_cameras_ == 1 ? "1 further camera"
-                                             : fmt::format("{} further cameras", further_cameras_));
+    if (further_cameras_ > 0) left_out_.insert(counted(further_cameras_, "further camera"));
     out_.left_out_of_diffuse.assign(meshes_.left_out_of_diffuse().begin(),
                                     meshes_.left_out_of_diffuse().end());
     out_.left_out.assign(left_out_.begin(), left_out_.end());

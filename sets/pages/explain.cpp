@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "support/text/counted.h"
+
 namespace seamline::renderer {
 namespace {
 
@@ -49,16 +51,16 @@ const char* kept(Keep keep) {
   return "";
 }
 
-std::string counted(int number, const char* one, const char* many) {
-  return number == 0 ? fmt::format("no {}", one) : fmt::format("{} {}", number, number == 1 ? one : many);
+std::string none_or_counted(int number, const char* one) {
+  return number == 0 ? fmt::format("no {}", one) : counted(number, one);
 }
 
 std::string light_text(const ScenePlan& plan) {
   const LightFacts& light = plan.light;
   const char* sky = light.sky_is_mapped ? "an environment map" : light.sky_is_dark ? "no sky" : "sky";
-  std::string text = "  Light: " + counted(light.suns, "sun", "suns") + ", ";
-  if (light.lamps > 0) text += counted(light.lamps, "lamp", "lamps") + ", ";
-  text += fmt::format("{}, {}{}.", sky, counted(plan.choices.bounces, "bounce", "bounces"),
+  std::string text = "  Light: " + none_or_counted(light.suns, "sun") + ", ";
+  if (light.lamps > 0) text += counted(light.lamps, "lamp") + ", ";
+  text += fmt::format("{}, {}{}.", sky, none_or_counted(plan.choices.bounces, "bounce"),
                       light.emits ? ", surfaces that emit" : "");
   if (light.emitting_triangles > 0)
     text += fmt::format(" {} triangles of the background are sampled as lamps.", light.emitting_triangles);
@@ -66,7 +68,7 @@ std::string light_text(const ScenePlan& plan) {
 }
 
 std::string filter_text(const FilterStrength& filter) {
-  return filter.levels == 0 ? "none" : counted(filter.levels, "level", "levels");
+  return filter.levels == 0 ? "none" : counted(filter.levels, "level");
 }
 
 /// What the estimator holds to, besides what it leaves out.
@@ -81,7 +83,7 @@ std::string choices_text(const EstimatorChoices& choices) {
     rows.push_back(
         {"depth mesh", fmt::format("{} samples first for a ratio, {} for what it adds on the object",
                                    *choices.first_ratio_spp, *choices.first_difference_spp)});
-  rows.push_back({"of a sample", counted(choices.sky_rays, "ray", "rays") + " to the sky"});
+  rows.push_back({"of a sample", none_or_counted(choices.sky_rays, "ray") + " to the sky"});
   if (choices.tail_every > 1) rows.back()[1] += fmt::format(", a tail every {} samples", choices.tail_every);
   if (fast)
     rows.push_back(

@@ -7,6 +7,7 @@
 #include "stimuli/definition/parts/task_definition.h"
 #include "study/exchange/answer_tables.h"
 #include "support/files/assets.h"
+#include "support/text/counted.h"
 #include "support/text/csv.h"
 #include "support/text/printable.h"
 
@@ -62,17 +63,17 @@ std::string dataset_readme(const LogContents& log, const std::string& layout,
       anonymity ? "The excluded and trial runs are among them"
                 : "Everybody is in it, also the excluded and trial runs",
       log.answers.size(), log.catches.size(), trial_sentence(log), log.study_hash, log.set_hash);
-  text +=
-      anonymity
-          ? fmt::format(
-                "- Anonymised: codes are new, times are rounded to a tenth of a second, answers stand in "
-                "an order that\n  nobody saw, and of everybody at least {} people have the same row in "
-                "the table of participants (answers of the\n  form are \"other\" or \"withheld\" where "
-                "they would tell who it is).\n"
-                "- Left out: {} people, because fewer than {} had finished, been excluded or made a trial "
-                "run as they had,\n  and the answers of {} who did not finish.\n",
-                anonymity->k, anonymity->left_out_people, anonymity->k, anonymity->unfinished_people)
-          : "- Not anonymised: codes are those of the log, and answers of the form are as given.\n";
+  text += anonymity
+              ? fmt::format(
+                    "- Anonymised: codes are new, times are rounded to a tenth of a second, answers stand in "
+                    "an order that\n  nobody saw, and of everybody at least {} people have the same row in "
+                    "the table of participants (answers of the\n  form are \"other\" or \"withheld\" where "
+                    "they would tell who it is).\n"
+                    "- Left out: {}, because fewer than {} had finished, been excluded or made a trial "
+                    "run as they had,\n  and the answers of {} who did not finish.\n",
+                    anonymity->k, counted(anonymity->left_out_people, "person", "people"), anonymity->k,
+                    anonymity->unfinished_people)
+              : "- Not anonymised: codes are those of the log, and answers of the form are as given.\n";
   return text +
          "- Not said here, because the program does not know it: authors, licence, ethics approval. Add them "
          "before\n  you share this folder.\n";

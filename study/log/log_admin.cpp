@@ -9,6 +9,7 @@
 #include "study/log/log_database.h"
 #include "study/log/log_place.h"
 #include "study/log/now.h"
+#include "support/text/counted.h"
 
 namespace seamline::study {
 namespace fs = std::filesystem;
@@ -63,7 +64,7 @@ std::string more(const ParticipantRecord& participant, const AnswerCounts& done)
   text += fmt::format("  order {}  last seen {} UTC", participant.slot,
                       minute_text(participant.last_seen_unix_s));
   if (participant.sessions > 1) text += fmt::format("  {} sessions", participant.sessions);
-  if (participant.restarts > 0) text += fmt::format("  began again {} times", participant.restarts);
+  if (participant.restarts > 0) text += "  began again " + counted(participant.restarts, "time");
   if (participant.in_progress) text += "  in a session now";
   return text;
 }
@@ -104,10 +105,10 @@ std::string status_text(const LogContents& log) {
   std::size_t width = 4;
   for (const ParticipantRecord& participant : log.participants)
     width = std::max(width, participant.code.size());
-  std::string text = fmt::format("{}: study {}, {} participant{}, {} answers, {} forgotten, {} declined\n",
-                                 log.file.string(), log.study_name, log.participants.size(),
-                                 log.participants.size() == 1 ? "" : "s", log.answers.size(),
-                                 log.forgotten_participants, log.declined_visits);
+  std::string text =
+      fmt::format("{}: study {}, {}, {}, {} forgotten, {} declined\n", log.file.string(), log.study_name,
+                  counted(log.participants.size(), "participant"), counted(log.answers.size(), "answer"),
+                  log.forgotten_participants, log.declined_visits);
   for (const ParticipantRecord& participant : log.participants) {
     const AnswerCounts& own = done[participant.code];
     text += fmt::format("{:<{}}  {:<22}  {:>4} of {:>4}  {:<10}{}\n", participant.code, width,

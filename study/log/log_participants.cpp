@@ -4,6 +4,7 @@
 #include "study/log/log_tables.h"
 #include "study/log/log_values.h"
 #include "support/files/assets.h"
+#include "support/text/counted.h"
 
 namespace seamline::study {
 namespace {
@@ -113,7 +114,7 @@ void LogWriter::Tables::read_answers(OpenSession& session) {
     throw input_error({.file = path.string(),
                        .field = "answers",
                        .wanted = "the first trials of a participant, without a gap",
-                       .found = fmt::format("{} answers up to trial {}", session.answered, last)});
+                       .found = fmt::format("{} up to trial {}", counted(session.answered, "answer"), last)});
 }
 
 std::optional<KnownParticipant> LogWriter::find(const Enrolment& enrolment) {

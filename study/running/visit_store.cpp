@@ -2,6 +2,7 @@
 
 #include "stimuli/definition/people/language_definition.h"
 #include "support/running/overloaded.h"
+#include "support/text/counted.h"
 #include "support/text/error.h"
 #include "support/text/request_name.h"
 
@@ -33,7 +34,7 @@ void check_may_begin(const KnownParticipant& known, const fs::path& log, const V
   if (known.excluded) throw refusal(log, visitor.code, "a participant who takes part", "one who is excluded");
   if (policy == ResumePolicy::refuse && known.answered > 0)
     throw refusal(log, visitor.code, "a participant who has not begun (session.resume = \"refuse\")",
-                  "one with " + std::to_string(known.answered) + " answers");
+                  "one with " + counted(known.answered, "answer"));
 }
 
 }  // namespace

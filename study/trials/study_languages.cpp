@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "stimuli/study_file/people/study_file_language.h"
+#include "support/text/counted.h"
 #include "support/text/error.h"
 
 namespace seamline::study {
@@ -16,7 +17,7 @@ void check_whole(const StudyDefinition& study, const StudyTexts& texts) {
        .wanted = fmt::format("every text that people read (seamline study {} --print-texts --language "
                              "{} > FILE writes what is to translate)",
                              study.file.string(), texts.tag),
-       .found = fmt::format("{} texts missing, {} first", missing.size(), missing.front())});
+       .found = fmt::format("{} missing, {} first", counted(missing.size(), "text"), missing.front())});
 }
 
 std::vector<StudyTexts> whole_languages(const StudyDefinition& study) {

@@ -79,7 +79,7 @@ const tests = {
       const study = JSON.parse(readFileSync(join(folder + "-jatos", "study.json"), "utf8"));
       assert.match(await page.textContent("main"), new RegExp(study.texts.thanks_title));
       assert.equal(await page.title(), study.texts.thanks_title);
-      assert.match(imported(host), /1 participants complete, 0 incomplete/);
+      assert.match(imported(host), /1 participant complete, 0 incomplete/);
     });
   },
 
@@ -103,7 +103,7 @@ const tests = {
         const messages = messagesOf(linesOf(host.runs()[0]), participant);
         checkWhole(messages, orderOf(messages[0].body.slot));
         console.log("  %d lines appended for %d messages", linesOf(host.runs()[0]).length, messages.length);
-        assert.match(imported(host), /1 participants complete, 0 incomplete/);
+        assert.match(imported(host), /1 participant complete, 0 incomplete/);
       },
       { trouble: 0.3 }
     );

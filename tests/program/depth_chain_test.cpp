@@ -113,7 +113,7 @@ TEST(DepthChain, ADepthMapInAFileIsASourceAndAnotherFileIsAnotherPicture) {
   EXPECT_EQ(mesh["sensor"]["measured"], 64 * 48);
   EXPECT_LT(mesh["triangles"], 600);  // a wall, and the picture's edges
   write_wall('\x10');
-  EXPECT_THAT(run_seamline(command).output, HasSubstr("1 stimuli rendered, 0 kept"));
+  EXPECT_THAT(run_seamline(command).output, HasSubstr("1 stimulus rendered, 0 kept"));
   write_text(folder / "wall.pgm", "P5\n32 48\n65535\n");
   const Outcome damaged = run_seamline(command);
   EXPECT_EQ(damaged.status, 1);

@@ -12,6 +12,8 @@
 #include <string>
 
 #include "run_program.h"
+#include "study/online/intake/import.h"
+#include "support/text/counted.h"
 
 namespace seamline {
 namespace {
@@ -175,6 +177,24 @@ TEST(Manners, QuickTestsNeedNothingBesideTheRepositoryAndCiRefusesWhatIsSkipped)
   const test::Outcome outcome = test::run_program(program, log.string());
   EXPECT_EQ(outcome.status, 1);
   EXPECT_EQ(outcome.output, "A/B.C/0\n");
+}
+
+TEST(Manners, OneThingIsSaidInTheSingular) {
+  EXPECT_EQ(counted(0, "answer"), "0 answers");
+  EXPECT_EQ(counted(1, "answer"), "1 answer");
+  EXPECT_EQ(counted(std::size_t{2}, "answer"), "2 answers");
+  EXPECT_EQ(counted(1, "person", "people"), "1 person");
+  EXPECT_EQ(counted(-1, "person", "people"), "-1 people");
+  EXPECT_EQ(counted(std::int64_t{1} << 40, "stimulus", "stimuli"), "1099511627776 stimuli");
+  const study::online::ImportReport report{
+      .files = 1,
+      .messages = 59,
+      .people = {{.code = "p01", .stored = 1, .answered = 26, .trials = 26, .completed = true}}};
+  EXPECT_EQ(
+      study::online::import_text(report, "log"),
+      "log: 59 messages of 1 participant in 1 file: 1 new, 0 known, 0 left out; 1 participant complete, "
+      "0 incomplete, 0 declined\np01  static  26 of 26 trials answered, complete; 1 message new, 0 "
+      "known\n");
 }
 
 }  // namespace

@@ -127,7 +127,7 @@ TEST(Render, ContinuesWhereItWasStoppedAndEndsWithTheSameBytes) {
   fs::resize_file(folder / "parts" / "stimuli" / "bedroom-receiver-statue-0064.png", 100);
   EXPECT_EQ(run_seamline("verify " + (folder / "parts").string()).status, 1);
   EXPECT_THAT(run_seamline(render(folder, "parts", "--only 'bedroom*-0064'")).output,
-              testing::HasSubstr("1 stimuli rendered, 2 kept"));
+              testing::HasSubstr("1 stimulus rendered, 2 kept"));
   // Changed inputs: everything is rendered again.
   test::write_small_study(folder, test::small_study_with({{"albedo = 0.5", "albedo = 0.4"}}));
   EXPECT_THAT(run_seamline(render(folder, "parts", "--only 'bedroom*-0064'")).output,
@@ -194,12 +194,12 @@ TEST(Render, ChangedBufferOfAGltfFileIsRenderedAgain) {
   const fs::path folder = fresh_folder("buffers");
   test::write_small_study(folder, tiny_study());
   ASSERT_THAT(run_seamline(render(folder, "set", "--only 'bedroom*statue-0064'")).output,
-              testing::HasSubstr("1 stimuli rendered"));
+              testing::HasSubstr("1 stimulus rendered"));
   ASSERT_THAT(run_seamline(render(folder, "set", "--only 'bedroom*statue-0064'")).output,
               testing::HasSubstr("0 stimuli rendered, 1 kept"));
   test::write_cube(folder, 0.5F);
   EXPECT_THAT(run_seamline(render(folder, "set", "--only 'bedroom*statue-0064'")).output,
-              testing::HasSubstr("1 stimuli rendered"));
+              testing::HasSubstr("1 stimulus rendered"));
 }
 
 TEST(Render, ManifestKeepsItsContract) {

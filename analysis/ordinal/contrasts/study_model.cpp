@@ -11,6 +11,7 @@
 #include "analysis/ordinal/contrasts/study_contrasts.h"
 #include "analysis/ordinal/likelihood/mixed_fit.h"
 #include "support/files/markdown_table.h"
+#include "support/text/counted.h"
 #include "support/text/csv.h"
 #include "support/text/numbers.h"
 
@@ -171,10 +172,10 @@ CsvTable contrast_table(const ContrastTable& contrasts) {
 
 std::string text_of(const OrdinalStudy& study) {
   const OrdinalFit& fit = study.fit;
-  std::string text =
-      fmt::format("Ordinal mixed model ({}, {}): {} answers of {} participants; {}.\n", word(fit.link),
-                  fit.nodes == 1 ? std::string("Laplace") : fmt::format("{} nodes", fit.nodes),
-                  fit.observations, fit.participants, word(fit.verdict));
+  std::string text = fmt::format("Ordinal mixed model ({}, {}): {} of {}; {}.\n", word(fit.link),
+                                 fit.nodes == 1 ? std::string("Laplace") : fmt::format("{} nodes", fit.nodes),
+                                 counted(fit.observations, "answer"),
+                                 counted(fit.participants, "participant"), word(fit.verdict));
   for (const std::string& note : study.notes) text += note + "\n";
   if (!has_estimates(fit.verdict)) return text;
   text +=

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "study/placement/sigmoid_shape.h"
+#include "support/text/counted.h"
 
 namespace seamline::analysis {
 
@@ -118,12 +119,10 @@ void warn_of_counts(const PsychometricFit& fit, Warnings& warnings) {
       std::accumulate(fit.levels.begin(), fit.levels.end(), std::int64_t{0},
                       [](std::int64_t sum, const LevelCounts& l) { return sum + l.trials; });
   if (trials < few_trials)
-    warnings.push_back(
-        fmt::format("tiny counts: {} trials over {} level{}; likelihood intervals hold only roughly", trials,
-                    fit.levels.size(), fit.levels.size() == 1 ? "" : "s"));
+    warnings.push_back(fmt::format("tiny counts: {} over {}; likelihood intervals hold only roughly",
+                                   counted(trials, "trial"), counted(fit.levels.size(), "level")));
   if (fit.levels_without_trials > 0)
-    warnings.push_back(fmt::format("{} row{} without a trial left out", fit.levels_without_trials,
-                                   fit.levels_without_trials == 1 ? "" : "s"));
+    warnings.push_back(counted(fit.levels_without_trials, "row") + " without a trial left out");
   if (fit.levels.size() == 2)
     warnings.push_back("two levels: the fit passes through both, and its shape is not tested");
 }

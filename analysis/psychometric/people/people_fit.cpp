@@ -12,6 +12,7 @@
 #include "analysis/statistics/distributions.h"
 #include "study/placement/sigmoid_shape.h"
 #include "support/running/interrupt.h"
+#include "support/text/counted.h"
 #include "support/text/numbers.h"
 
 namespace seamline::analysis {
@@ -236,8 +237,7 @@ PeopleFit fit_people(const PsychometricFit& sums, const std::vector<std::vector<
   fit.people = counts.size();
   if (counts.size() < 3)
     return people_not_identified(
-        fit, fmt::format("{} participant{}, and how people differ takes at least three", counts.size(),
-                         counts.size() == 1 ? "" : "s"));
+        fit, counted(counts.size(), "participant") + ", and how people differ takes at least three");
   if (sums.levels.size() < 2) return people_not_identified(fit, "under two levels");
   if (sums.search.best.value - sums.flat_log_likelihood <= chi_squared_95 / 2)
     return people_not_identified(fit, "everybody's answers together do not change with level");

@@ -6,6 +6,7 @@
 
 #include "analysis/psychometric/report/fit_quantities.h"
 #include "support/files/markdown_table.h"
+#include "support/text/counted.h"
 
 namespace seamline::analysis {
 
@@ -60,17 +61,16 @@ CsvTable levels_table(const Goodness& goodness, bool answers_are_yes) {
 /// What p is of, or why there is none.
 std::string deviance_text(const JudgedFit& report) {
   const Goodness& goodness = report.goodness;
-  std::string text =
-      fmt::format("deviance {:.3f} on {} degrees of freedom", goodness.deviance, goodness.degrees_of_freedom);
+  std::string text = fmt::format("deviance {:.3f} on {} of freedom", goodness.deviance,
+                                 counted(goodness.degrees_of_freedom, "degree"));
   if (goodness.groups.size() < report.fit.levels.size())
     text += fmt::format(" ({} levels in {} groups of neighbours)", report.fit.levels.size(),
                         goodness.groups.size());
   if (!std::isnan(report.deviance_p)) return text + fmt::format(", p = {:.3g}", report.deviance_p);
   if (report.fit.options.overdispersed) return text + ", not tested: the fit is overdispersed";
   if (goodness.degrees_of_freedom <= 0)
-    return text + fmt::format(", not tested: {} group{} of answers for {} free parameters",
-                              goodness.groups.size(), goodness.groups.size() == 1 ? "" : "s",
-                              report.fit.free_parameters);
+    return text + fmt::format(", not tested: {} of answers for {}", counted(goodness.groups.size(), "group"),
+                              counted(report.fit.free_parameters, "free parameter"));
   return text;
 }
 

@@ -13,6 +13,7 @@
 #include "analysis/scores/level_axis.h"
 #include "support/files/assets.h"
 #include "support/files/atomic_file.h"
+#include "support/text/counted.h"
 #include "support/text/html.h"
 
 namespace seamline::analysis {
@@ -182,7 +183,7 @@ std::string match_page(const MatchAnalysis& analysis, const std::vector<Figure>&
       html_escape(log.study_name), page_style(), html_escape(log.study_name));
   const ParticipantCounts counts = count_participants(analysis.people);
   if (counts.simulated > 0)
-    html += fmt::format("<div class=\"badge\">{} simulated observers</div>\n", counts.simulated);
+    html += fmt::format("<div class=\"badge\">{}</div>\n", counted(counts.simulated, "simulated observer"));
   html += "<dl class=\"facts\">\n" + fact("study", log.study_name + ", hash " + log.study_hash) +
           fact("stimulus set", "hash " + log.set_hash) + fact("participants", who_answered(analysis)) +
           fact("levels", axis_title(axis_of(analysis))) + fact("log", log.file.filename().string()) +
@@ -214,10 +215,11 @@ std::string match_text(const MatchAnalysis& analysis) {
                                  axis_title(axis_of(analysis)));
   for (const CurveMatches& c : analysis.curves)
     text += fmt::format(
-        "{:<20} {:>10}  95 % interval {}; {} participants, {} matches ({} at an end); SD of people {}, of a "
+        "{:<20} {:>10}  95 % interval {}; {}, {} ({} at an end); SD of people {}, of a "
         "match {} {}{}\n",
         curve_name(c.artifact, c.condition), level_of_mean(analysis, c.threshold.mean),
-        interval_of_mean(analysis, c.threshold), c.people, c.matches, c.at_end, length_or_dash(c.between_sd),
+        interval_of_mean(analysis, c.threshold), counted(c.people, "participant"),
+        counted(c.matches, "match", "matches"), c.at_end, length_or_dash(c.between_sd),
         length_or_dash(c.within_sd), length,
         c.planted ? "; planted " + estimated_text(axis_of(analysis), *c.planted) : "");
   return text;
@@ -270,12 +272,12 @@ std::string match_methods(const MatchAnalysis& analysis) {
   return fmt::format(
       "Thresholds were measured by adjustment. Participants moved the {} among the rendered levels until the "
       "seam was just seen. Trials began at a random level: half of them where more is seen, half where less is, "
-      "balanced within objects, over objects and over participants. {} {} made {} matches. A participant's "
+      "balanced within objects, over objects and over participants. {} made {}. A participant's "
       "threshold is the mean of the matched levels{}; the threshold is the mean over participants, with a 95 % "
       "interval of Student's t over participants. No interval was bootstrapped.",
-      facts(axis.quantity).name, counts.used,
-      counts.simulated == counts.used ? "simulated observers" : "participants", analysis.matches.size(),
-      is_linear(axis) ? "" : " on their log2");
+      facts(axis.quantity).name,
+      counted(counts.used, counts.simulated == counts.used ? "simulated observer" : "participant"),
+      counted(analysis.matches.size(), "match", "matches"), is_linear(axis) ? "" : " on their log2");
 }
 
 std::filesystem::path write_match_report(const MatchAnalysis& analysis, const std::filesystem::path& folder) {

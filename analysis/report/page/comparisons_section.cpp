@@ -6,6 +6,7 @@
 
 #include "analysis/report/page/html_parts.h"
 #include "analysis/scores/level_words.h"
+#include "support/text/counted.h"
 #include "support/text/html.h"
 
 namespace seamline::analysis {
@@ -67,14 +68,15 @@ std::string comparisons_html(const Analysis& analysis, const ReportNumbers& numb
   html += "<details><summary>An ordinal mixed model of the same scores</summary>\n";
   html += fmt::format(
       "<p>Noticeability (0 to 4): a {} and a slope over {} for each "
-      "artifact{}, objects within artifacts, and a random level for each participant; {} answers of {} "
-      "participants. Log odds are of a higher score: 0 is no difference, 0.7 doubles the odds. The model "
+      "artifact{}, objects within artifacts, and a random level for each participant; {} of {}. "
+      "Log odds are of a higher score: 0 is no difference, 0.7 doubles the odds. The model "
       "knows no "
       "guesses, so its slopes are too shallow where scores come near the guess floor: read thresholds and "
       "slopes "
       "above.</p>\n",
       of_depth_widths(numbers.axis) ? "level" : "mean", level_words(numbers.axis).axis,
-      numbers.conditions ? " in each condition" : "", study.fit.observations, study.fit.participants);
+      numbers.conditions ? " in each condition" : "", counted(study.fit.observations, "answer"),
+      counted(study.fit.participants, "participant"));
   for (const std::string& note : study.notes) html += html_paragraph(note);
   if (!has_estimates(study.fit.verdict))
     return html + html_paragraph("No comparison is made: " + std::string(word(study.fit.verdict)) + ".") +

@@ -19,6 +19,7 @@
 #include "analysis/statistics/many_people.h"
 #include "analysis/thresholds/threshold_rules.h"
 #include "support/files/assets.h"
+#include "support/text/counted.h"
 
 namespace seamline::analysis {
 
@@ -48,8 +49,7 @@ std::string conditions_text(const Analysis& analysis) {
 
 std::string people_text(const Analysis& analysis) {
   const ParticipantCounts& counts = analysis.counts;
-  std::string text = fmt::format("{} {} in the log", counts.in_log,
-                                 counts.in_log == 1 ? "participant is" : "participants are");
+  std::string text = counted(counts.in_log, "participant is", "participants are") + " in the log";
   std::string left_out;
   const auto add = [&](int count, const char* why) {
     if (count > 0) left_out += fmt::format("{}{} {}", left_out.empty() ? "" : ", ", count, why);
@@ -64,7 +64,7 @@ std::string people_text(const Analysis& analysis) {
     if (person.use == Use::used) trials += person.answers;
   text += left_out.empty() ? "; none was left out"
                            : fmt::format("; left out: {} ({})", counts.in_log - counts.used, left_out);
-  text += fmt::format(". The analysis is of {} with {} trials.", source_text(analysis), trials);
+  text += fmt::format(". The analysis is of {} with {}.", source_text(analysis), counted(trials, "trial"));
   if (analysis.log.forgotten_participants > 0)
     text += fmt::format(" {} more asked for their data to be deleted.", analysis.log.forgotten_participants);
   for (const std::string& sentence : participants_described(analysis)) text += " " + sentence;
@@ -111,9 +111,9 @@ std::string curves_text(const Analysis& analysis) {
   std::string curves;
   for (const ArtifactScores& scores : analysis.data.artifacts) {
     const int answers = answers_of[{scores.artifact, scores.condition}];
-    curves +=
-        fmt::format("{}{}{} {} participants and {} answers", curves.empty() ? "" : "; ",
-                    word(scores.artifact), in_condition(scores.condition), scores.people.size(), answers);
+    curves += fmt::format("{}{}{} {} and {}", curves.empty() ? "" : "; ", word(scores.artifact),
+                          in_condition(scores.condition), counted(scores.people.size(), "participant"),
+                          counted(answers, "answer"));
   }
   return "Behind the curves are: " + curves + ". " + fixed_effects_text(analysis);
 }
@@ -181,9 +181,10 @@ std::string joint_comparisons_text(const ReportNumbers& numbers) {
 /// Why there are so many participants, as it was frozen.
 std::string why_so_many_text(const Analysis& analysis) {
   if (!analysis.frozen) return "The number of participants was not preregistered.";
-  return fmt::format("The study was preregistered (SHA-256 {}) for {} participants. Why so many: {} {}",
-                     analysis.frozen->sha256.substr(0, 12), analysis.frozen->participants,
-                     analysis.frozen->why_so_many, deviations_in_words(*analysis.frozen));
+  return fmt::format("The study was preregistered (SHA-256 {}) for {}. Why so many: {} {}",
+                     analysis.frozen->sha256.substr(0, 12),
+                     counted(analysis.frozen->participants, "participant"), analysis.frozen->why_so_many,
+                     deviations_in_words(*analysis.frozen));
 }
 
 std::string means_text(const Analysis& analysis, const LevelWords& words) {

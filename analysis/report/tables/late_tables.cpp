@@ -12,6 +12,7 @@
 #include "analysis/report/tables/table_columns.h"
 #include "analysis/report/text/threshold_text.h"
 #include "analysis/scores/level_words.h"
+#include "support/text/counted.h"
 
 namespace seamline::analysis {
 namespace {
@@ -110,8 +111,8 @@ std::string largest_change(const LateReport& late) {
                        most->quantity, word(most->artifact), in_condition(most->condition),
                        estimate_text(most->with, most->tested), estimate_text(most->without, most->tested));
   if (lost > 0)
-    text += fmt::format(" {} threshold{} a number only with or only without them.", lost,
-                        lost == 1 ? " has" : "s have");
+    text += fmt::format(" {} a number only with or only without them.",
+                        counted(lost, "threshold has", "thresholds have"));
   return text;
 }
 

@@ -11,6 +11,7 @@
 #include "stimuli/definition/parts/task_definition.h"
 #include "stimuli/definition/procedure_definition.h"
 #include "support/running/overloaded.h"
+#include "support/text/counted.h"
 
 namespace seamline::analysis {
 
@@ -88,9 +89,8 @@ std::string grid_text(const QuestPlusDefinition& quest, const LevelAxis& axis) {
 std::string stops_text(const QuestPlusDefinition& quest, const LevelAxis& axis) {
   const std::string length = quest.axis == Axis::log2 ? (quest.stop_interval == 1.0 ? "octave" : "octaves")
                                                       : std::string(facts(axis.quantity).unit);
-  std::string text =
-      fmt::format("A track ended after {} trials, when every image had been shown {} time{}",
-                  quest.max_trials, quest.max_shows_per_image, quest.max_shows_per_image == 1 ? "" : "s");
+  std::string text = fmt::format("A track ended after {} trials, when every image had been shown {}",
+                                 quest.max_trials, counted(quest.max_shows_per_image, "time"));
   if (quest.stop_interval)
     text += fmt::format(
         ", or, after at least {} trials, when the 95 % interval of its threshold was at most {:g} {} "

@@ -6,6 +6,7 @@
 
 #include "analysis/log_analysis/task_words.h"
 #include "analysis/report/text/origins_text.h"
+#include "support/text/counted.h"
 
 namespace seamline::analysis {
 
@@ -72,10 +73,10 @@ std::string who_text(const ScreenedThresholds& result, const Analysis& analysis)
 
 std::string sos_text(const SosParameter& sos) {
   const bool known = std::isfinite(sos.ci95_low) && std::isfinite(sos.ci95_high);
-  return fmt::format("a = {:.3f} ({}) over {} stimuli", sos.a,
+  return fmt::format("a = {:.3f} ({}) over {}", sos.a,
                      known ? fmt::format("{:.3f} to {:.3f}", sos.ci95_low, sos.ci95_high)
                            : "no interval from fewer than three people",
-                     sos.stimuli);
+                     counted(sos.stimuli, "stimulus", "stimuli"));
 }
 
 namespace {
@@ -136,7 +137,7 @@ std::string screening_sentence(const Screening& screening) {
     if (rule != ScreeningRule::attention)
       text += fmt::format(" (it would name {} of honest people)", honest_share_text(screening.honest, rule));
   }
-  return fmt::format("Screening of {} participants: {}.", screening.people.size(), text);
+  return fmt::format("Screening of {}: {}.", counted(screening.people.size(), "participant"), text);
 }
 
 std::string checks_text(const Analysis& analysis) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <string_view>
 
+#include "support/text/counted.h"
 #include "support/text/printable.h"
 
 namespace seamline::renderer {
@@ -70,10 +71,6 @@ const WayRound* way_round(std::string_view name) {
   return found == ways_round.end() ? nullptr : &*found;
 }
 
-std::string plural(std::size_t count, const char* one, const char* many) {
-  return count == 1 ? fmt::format("1 {}", one) : fmt::format("{} {}", count, many);
-}
-
 }  // namespace
 
 void require_readable(const GltfJson& json, const std::filesystem::path& path) {
@@ -96,9 +93,9 @@ void require_readable(const GltfJson& json, const std::filesystem::path& path) {
 
 void note_unread(const GltfJson& json, LeftOut& left_out) {
   if (const std::size_t count = count_of(json, "animations"); count > 0)
-    left_out.insert(plural(count, "animation", "animations") + " (everything is shown at rest)");
+    left_out.insert(counted(count, "animation") + " (everything is shown at rest)");
   if (const std::size_t count = count_of(json, "scenes"); count > 1)
-    left_out.insert(plural(count - 1, "further scene", "further scenes"));
+    left_out.insert(counted(count - 1, "further scene"));
   const GltfJson* used = member(json, "extensionsUsed");
   if (used == nullptr || !used->is_array()) return;
   for (const GltfJson& one : *used) {

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include "support/text/counted.h"
+
 namespace seamline::study {
 namespace fs = std::filesystem;
 namespace {
@@ -25,9 +27,9 @@ std::string recovery_text(const LogRecovery& recovery, const fs::path& damaged, 
     const auto found = rows.find(table);
     return found == rows.end() ? std::int64_t{0} : found->second;
   };
-  std::string text =
-      fmt::format("{}: saved {} participants and {} answers into {}\n", damaged.string(),
-                  count(recovery.saved, "participants"), count(recovery.saved, "answers"), out.string());
+  std::string text = fmt::format("{}: saved {} and {} into {}\n", damaged.string(),
+                                 counted(count(recovery.saved, "participants"), "participant"),
+                                 counted(count(recovery.saved, "answers"), "answer"), out.string());
   std::size_t missing = 0;
   for (const LostAnswers& person : recovery.participants) {
     missing += person.missing_trials.size() + (person.completed && person.trials == 0 ? 1 : 0);
@@ -40,17 +42,18 @@ std::string recovery_text(const LogRecovery& recovery, const fs::path& damaged, 
     if (person.completed && person.trials == 0)
       text += fmt::format("lost: every answer of {}\n", person.code);
   for (const auto& [table, rows] : recovery.refused)
-    text += fmt::format("lost: {} rows of {} that were damaged or refer to lost ones\n", rows, table);
+    text += fmt::format("lost: {} of {} that {} to lost ones\n", counted(rows, "row"), table,
+                        rows == 1 ? "was damaged or refers" : "were damaged or refer");
   if (recovery.participants_without_row > 0)
     text += fmt::format(
-        "lost: the codes of {} participants; their answers are kept as recovered-N, excluded from the "
-        "analysis\n",
-        recovery.participants_without_row);
+        "lost: the codes of {}; their answers are kept as recovered-N, excluded from the analysis\n",
+        counted(recovery.participants_without_row, "participant"));
   if (recovery.sessions_without_row > 0)
-    text += fmt::format("lost: when {} sessions were\n", recovery.sessions_without_row);
+    text += fmt::format("lost: when {}\n",
+                        counted(recovery.sessions_without_row, "session was", "sessions were"));
   if (recovery.stimuli_from_set > 0 || recovery.study_from_set)
-    text += fmt::format("taken from the set: {}{} stimuli\n", recovery.study_from_set ? "the study and " : "",
-                        recovery.stimuli_from_set);
+    text += fmt::format("taken from the set: {}{}\n", recovery.study_from_set ? "the study and " : "",
+                        counted(recovery.stimuli_from_set, "stimulus", "stimuli"));
   if (missing == 0 && recovery.refused.empty() && recovery.participants_without_row == 0)
     text += "no gap was found; participants who had not finished may have lost their last answers\n";
   return text +

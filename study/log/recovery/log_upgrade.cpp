@@ -13,6 +13,7 @@
 #include "study/log/recovery/new_log.h"
 #include "study/log/session_claims.h"
 #include "support/files/temporary_folder.h"
+#include "support/text/counted.h"
 
 namespace seamline::study {
 namespace fs = std::filesystem;
@@ -129,10 +130,10 @@ LogUpgrade upgrade_log(const fs::path& old, const fs::path& out) {
 
 std::string upgrade_text(const LogUpgrade& upgrade, const fs::path& old, const fs::path& out) {
   return fmt::format(
-      "{}: a log of schema version {} with {} participants and {} answers became {}, of version {}, row by "
+      "{}: a log of schema version {} with {} and {} became {}, of version {}, row by "
       "row the same; go on in that one\n",
-      old.string(), upgrade.from_version, upgrade.rows.at("participants"), upgrade.rows.at("answers"),
-      out.string(), upgrade.to_version);
+      old.string(), upgrade.from_version, counted(upgrade.rows.at("participants"), "participant"),
+      counted(upgrade.rows.at("answers"), "answer"), out.string(), upgrade.to_version);
 }
 
 }  // namespace seamline::study

@@ -13,6 +13,7 @@
 #include "study/online/messages/message_reader.h"
 #include "support/files/atomic_file.h"
 #include "support/running/interrupt.h"
+#include "support/text/counted.h"
 #include "support/text/printable.h"
 #include "support/text/request_name.h"
 
@@ -181,7 +182,7 @@ std::string person_text(const ImportedPerson& person) {
   std::string text =
       fmt::format("{}  {}  {} of {} trials answered, {}", person.code, word(person.origin), person.answered,
                   person.trials, person.completed ? "complete" : "incomplete");
-  text += fmt::format("; {} messages new, {} known", person.stored, person.known);
+  text += fmt::format("; {} new, {} known", counted(person.stored, "message"), person.known);
   if (!person.gaps.empty()) text += "; missing messages: " + ranges(person.gaps);
   text += "\n";
   for (const std::string& sentence : person.refused) text += fmt::format("  left out: {}\n", sentence);
@@ -225,9 +226,9 @@ std::string import_text(const ImportReport& report, const fs::path& log) {
     complete += person.completed ? 1 : 0;
   }
   std::string text = fmt::format(
-      "{}: {} messages of {} participants in {} files: {} new, {} known, {} left out; {} participants "
-      "complete, {} incomplete, {} declined\n",
-      log.string(), report.messages, report.people.size(), report.files, stored, known, refused, complete,
+      "{}: {} of {} in {}: {} new, {} known, {} left out; {} complete, {} incomplete, {} declined\n",
+      log.string(), counted(report.messages, "message"), counted(report.people.size(), "participant"),
+      counted(report.files, "file"), stored, known, refused, counted(complete, "participant"),
       report.people.size() - static_cast<std::size_t>(complete), report.declined);
   for (const std::string& file : report.cut_files)
     text += fmt::format("{}: the last message ends in the middle and was left out\n", file);

@@ -14,6 +14,7 @@
 #include "study/online/messages/shown_names.h"
 #include "study/online/serving/tokens.h"
 #include "support/running/interrupt.h"
+#include "support/text/counted.h"
 #include "support/text/request_name.h"
 
 namespace seamline::study::online {
@@ -35,7 +36,7 @@ void check_same_study(const ServeRequest& request, const SiteFiles& site, const 
   if (site.slots < 1 || (orders > 0 && site.slots < orders))
     throw input_error({.file = (request.folder / "study.json").string(),
                        .field = "slots",
-                       .wanted = fmt::format("at least {} orders", std::max(1, orders)),
+                       .wanted = "at least " + counted(std::max(1, orders), "order"),
                        .found = std::to_string(site.slots)});
   // Ids of the set name the inserted object, and the server does not know them.
   const ShownNames names(set);
@@ -134,14 +135,15 @@ void serve(const ServeRequest& request, const std::function<void(const std::stri
        .refused = [&](const std::string& path, int status) { refusals.count(loggable_path(path), status); }},
       request.http);
   const bool is_six = request.address.find(':') != std::string::npos;
-  say(fmt::format("serving {} at http://{}:{}/ into {}: {} participants, {} answers so far",
-                  request.folder.string(), is_six ? "[" + request.address + "]" : request.address,
-                  server.port(), request.log.string(), service.participants(), service.answers()));
+  say(fmt::format("serving {} at http://{}:{}/ into {}: {}, {} so far", request.folder.string(),
+                  is_six ? "[" + request.address + "]" : request.address, server.port(), request.log.string(),
+                  counted(service.participants(), "participant"), counted(service.answers(), "answer")));
   if (desk && !return_host(desk->recruitment()).empty())
     say(fmt::format("at the end people are sent to {}", return_host(desk->recruitment())));
   if (watch) say(fmt::format("who takes part: /watch, with the secret in {}", request.watch.string()));
   const auto report = [&] {
-    for (const auto& [what, times] : refusals.take()) say(fmt::format("refused: {} ({} times)", what, times));
+    for (const auto& [what, times] : refusals.take())
+      say(fmt::format("refused: {} ({})", what, counted(times, "time")));
   };
   for (int round = 1; !interrupted(); ++round) {
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
@@ -151,8 +153,8 @@ void serve(const ServeRequest& request, const std::function<void(const std::stri
   server.stop(patience_at_end_s);
   service.finish();
   report();
-  say(fmt::format("stopped: {} participants, {} answers in {}", service.participants(), service.answers(),
-                  request.log.string()));
+  say(fmt::format("stopped: {}, {} in {}", counted(service.participants(), "participant"),
+                  counted(service.answers(), "answer"), request.log.string()));
 }
 
 }  // namespace seamline::study::online
