@@ -20,6 +20,7 @@ namespace {
 
 /// Largest file of a report: a page holds its figures and cut-outs.
 constexpr std::int64_t most_bytes = std::int64_t{1} << 31;
+constexpr const char* report_page = "report.html";
 
 bool is_file(const fs::path& path) {
   std::error_code error;
@@ -88,6 +89,7 @@ UnlistedReport unlisted_report(const fs::path& folder) {
   };
   for (const fs::path& path : entries) {
     const std::string name = path.filename().string();
+    if (name.starts_with(".")) continue;  // a version control's, a mount's, a write that was stopped
     if (!fs::is_directory(fs::symlink_status(path))) {
       add(path, ours && is_file(path) && known.contains(name));
     } else if (name == "figures") {
@@ -151,12 +153,17 @@ void renew_report(const fs::path& folder, const fs::path& made) {
   std::string all;
   for (const std::string& file : both) all += file + "\n";
   write_file_atomically(folder / report_list_name, all, Readers::owner);  // holds if this one is interrupted
-  for (const std::string& file : now) {
+  const auto renew = [&](const std::string& file) {
     prepare_output_folder((folder / file).parent_path());
     write_file_atomically(folder / file, read_file(made / file, most_bytes), Readers::owner);
-  }
+  };
+  // The page comes last: stopped midway, a folder has no page rather than an old one over new tables.
+  if (now.contains(report_page) && earlier.contains(report_page)) remove_earlier(folder, report_page);
+  for (const std::string& file : now)
+    if (file != report_page) renew(file);
   for (const std::string& file : earlier)
     if (!now.contains(file)) remove_earlier(folder, file);
+  if (now.contains(report_page)) renew(report_page);
   write_file_atomically(folder / report_list_name, list, Readers::owner);
 }
 

@@ -115,6 +115,8 @@ TEST_F(ConditionTasksReport, ARenewedReportHasNothingOfTheEarlierOneAndKeepsWhat
   write_file_atomically(earlier / "asked" / "report.html", "old");
   write_file_atomically(earlier / "report.html", "old");
   write_file_atomically(later / "report.html", "new");
+  fs::create_directories(report);
+  write_file_atomically(report / ".gitkeep", "");
   require_report_folder(report);
   renew_report(report, earlier);
   write_file_atomically(report / "figures" / "mine.svg", "mine");
