@@ -89,12 +89,12 @@ TEST(NoThreshold, SentencesSpeakOfTheStudysLevels) {
   ThresholdEstimate open{.level_x = 3, .reason = {}, .ci95 = {.low_x = 2}};
   keep_closed(open, {.low_x = 3, .high_x = 3}, tolerance);
   EXPECT_EQ(open.reason, NoThreshold::below_level);
-  EXPECT_EQ(reason_text(open, tolerance), "below 0.25");
+  EXPECT_EQ(reason_text(open, tolerance), "below 0.250");
   const std::vector<double> levels = {1, 2, 3, 4};
   Logistic4Fit before, beyond;
   before.verdict = Centre::below_range;
   beyond.verdict = Centre::above_range;
-  EXPECT_EQ(reason_text(centre_of(before, levels, tolerance), tolerance), "steepest above 0.5");
+  EXPECT_EQ(reason_text(centre_of(before, levels, tolerance), tolerance), "steepest above 0.500");
   EXPECT_EQ(reason_text(centre_of(beyond, levels, tolerance), tolerance), "steepest below 0.0625");
   EXPECT_EQ(reason_text(centre_of(before, levels, {}), {}), "steepest below 2");
   EXPECT_EQ(reason_text(centre_of(beyond, levels, {}), {}), "steepest above 16");
