@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/log_analysis/rows_of_curves.h"
+#include "analysis/scores/rows_of_curves.h"
 #include "analysis/log_analysis/task_words.h"
 
 namespace seamline::analysis {

@@ -84,27 +84,6 @@ TEST_F(ConditionTasksReport, EveryTaskHasAReportAndOnePageLeadsToThem) {
         (void)analyze_log({.log = folder / "log", .report_folder = folder / "other", .published = "paper"});
       }),
       testing::HasSubstr("one question"));
-  // Versions before the list made the same files, which are known by what they are.
-  namespace fs = std::filesystem;
-  const fs::path report = folder / "report", of_task = report / json["tasks"][0]["report"].get<std::string>();
-  fs::remove(report / report_list_name);
-  for (const fs::path& foreign : {of_task / "notes.txt", report / "mine.csv",
-                                  of_task / "figures" / "mine.svg", report / "own" / "report.html"}) {
-    require_report_folder(report);
-    fs::create_directories(foreign.parent_path());
-    write_file_atomically(foreign, "mine");
-    EXPECT_THAT(test::complaint_of([&] { require_report_folder(report); }),
-                testing::HasSubstr("found a folder with other things in it, such as " +
-                                   foreign.lexically_relative(report).begin()->string()));
-    fs::remove(foreign);
-    if (foreign.parent_path().filename() == "own") fs::remove(foreign.parent_path());
-  }
-  fs::create_directory(folder / "later");
-  write_file_atomically(folder / "later" / "report.html", "new");
-  renew_report(report, folder / "later");
-  std::vector<std::string> left;
-  for (const auto& entry : fs::recursive_directory_iterator(report)) left.push_back(entry.path().filename());
-  EXPECT_THAT(left, testing::UnorderedElementsAre("report.html", report_list_name));
 }
 
 TEST_F(ConditionTasksReport, ARenewedReportHasNothingOfTheEarlierOneAndKeepsWhatIsNotItsOwn) {
@@ -134,6 +113,9 @@ TEST_F(ConditionTasksReport, ARenewedReportHasNothingOfTheEarlierOneAndKeepsWhat
   // What no analysis made is left alone.
   EXPECT_THAT(test::complaint_of([&] { (void)analyze_log({.log = folder / "log", .report_folder = later}); }),
               testing::HasSubstr("found a folder with other things in it"));
+  write_file_atomically(later / "thresholds.json", "{}");
+  EXPECT_THAT(test::complaint_of([&] { require_report_folder(later); }),
+              testing::HasSubstr("remove it first"));
   EXPECT_EQ(read_file(later / "report.html"), "new");
 }
 
