@@ -82,13 +82,13 @@ void renew_report(const fs::path& folder, const fs::path& made) {
     prepare_output_folder((folder / file).parent_path());
     write_file_atomically(folder / file, read_file(made / file, most_bytes), Readers::owner);
   };
-  // The page comes last: stopped midway, a folder has no page rather than an old one over new tables.
-  if (now.contains(report_page) && earlier.contains(report_page)) remove_earlier(folder, report_page);
-  for (const std::string& file : now)
-    if (file != report_page) renew(file);
+  // Pages come last: stopped midway, a folder has no page rather than an old one over new tables.
+  const auto is_page = [](const std::string& file) { return fs::path(file).filename() == report_page; };
   for (const std::string& file : earlier)
-    if (!now.contains(file)) remove_earlier(folder, file);
-  if (now.contains(report_page)) renew(report_page);
+    if (is_page(file) || !now.contains(file)) remove_earlier(folder, file);
+  for (const bool pages : {false, true})
+    for (const std::string& file : now)
+      if (is_page(file) == pages) renew(file);
   write_file_atomically(folder / report_list_name, list, Readers::owner);
 }
 

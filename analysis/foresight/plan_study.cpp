@@ -207,7 +207,8 @@ std::vector<LevelSet> level_sets_to_try(const std::vector<double>& levels, const
 }
 
 StudyPlan plan_study(const PlanRequest& request) {
-  const StudyDefinition study = of_one_task(request, read_study(request.study_file, AssetCheck::not_needed));
+  const StudyDefinition study =
+      of_one_task(request, read_study(request.study_file, AssetCheck::not_needed, {}, IdleSettings::kept));
   const PlannedTask task = planned_task(study, request.assumed.false_alarms);
   check_study(request, study);
   check_ratings(request, task);

@@ -69,7 +69,9 @@ Preregistration freeze_study(const std::filesystem::path& study_file,
                              const std::vector<std::filesystem::path>& sets, FrozenAnalysis analysis) {
   require_thresholds(analysis.thresholds);
   require_text(request_name("by_hand"), analysis.by_hand);
-  const StudyDefinition study = read_study(study_file, AssetCheck::not_needed);
+  // Sets that an earlier version rendered may have idle settings, and are frozen with them.
+  const StudyDefinition study = read_study(study_file, AssetCheck::not_needed, {},
+                                           sets.empty() ? IdleSettings::refused : IdleSettings::kept);
   require_what_rules_need(study, analysis, study_file);
   Preregistration content{.program_version = program_version(),
                           .study_name = study.name,

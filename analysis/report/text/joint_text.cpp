@@ -53,7 +53,7 @@ std::vector<std::string> sharing_sentences(const JointAnalysis& joint) {
   if (joint.fit.model.sharing.criteria && joint.fit.model.ratings > 1 && joint.fit.people < few_for_criteria)
     sentences.emplace_back(
         "Few participants show little of this: 20 simulated ones whose curves differed in how people rate showed "
-        "it in a quarter of the studies, and 95 % intervals held the truth in 85 to 92 %. A study that expects "
+        "it in a third of the studies, and 95 % intervals held the truth in 89 to 95 %. A study that expects "
         "such curves names share = [\"nothing\"].");
   return sentences;
 }
