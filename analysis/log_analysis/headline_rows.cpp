@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/scores/rows_of_curves.h"
 #include "analysis/log_analysis/task_words.h"
+#include "analysis/scores/rows_of_curves.h"
 
 namespace seamline::analysis {
 

@@ -95,9 +95,9 @@ TEST(Outputs, AreNoInputsAndAreTriedBeforeAnythingIsRead) {
                        "--out: wanted a place that can be written to");
   test::expect_refused("flip " + in("photo.png") + " " + in("photo.png") + " --map " + in("photo.png"),
                        "--map: wanted another file than reference");
-  test::expect_refused("animate figure.glb " + in("photo.png") + " --out " + in("a.glb") + " --angles " +
-                           in("photo.png"),
-                       "--angles: wanted another file than joints");
+  test::expect_refused(
+      "animate figure.glb " + in("photo.png") + " --out " + in("a.glb") + " --angles " + in("photo.png"),
+      "--angles: wanted another file than joints");
   for (const char* option : {"--systemd", "--nginx"})
     test::expect_refused("serve pages --log " + in("photo.png") + " " + option + " " + in("photo.png"),
                          std::string(option) + ": wanted another file than --log");

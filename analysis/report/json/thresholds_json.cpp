@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/log_analysis/headline_rows.h"
-#include "analysis/scores/rows_of_curves.h"
 #include "analysis/report/json/json_values.h"
 #include "analysis/report/json/thresholds_parts.h"
 #include "analysis/report/text/threshold_text.h"
+#include "analysis/scores/rows_of_curves.h"
 #include "analysis/thresholds/threshold_rules.h"
 #include "support/files/assets.h"
 

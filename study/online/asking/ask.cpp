@@ -29,11 +29,13 @@ using AskJson = nlohmann::ordered_json;
 /// A set that nobody rendered: the study's stimuli, for a program that makes their pictures itself. Its hash
 /// is one that no rendered set has. A log that an earlier version began may have idle settings, and goes on.
 RenderedSet unrendered_set(const fs::path& file, const fs::path& log) {
+  std::error_code error;
+  const bool is_begun = fs::file_size(log, error) > 0 && !error;
   RenderedSet set{.folder = fs::absolute(file).lexically_normal().parent_path(),
                   .manifest = {},
                   .set_hash = {},
                   .study = read_study(file, AssetCheck::not_needed, {},
-                                      fs::exists(log) ? IdleSettings::kept : IdleSettings::refused),
+                                      is_begun ? IdleSettings::kept : IdleSettings::refused),
                   .study_text = read_file(file)};
   set.manifest.study_name = set.study.name;
   set.manifest.study_hash = study_hash(set.study);
