@@ -40,7 +40,7 @@ void take_colours(const int* places, int width_px, const std::uint8_t* in, std::
       continue;
     }
     const int left = places[x] / one_px, to_right = places[x] % one_px;
-    const std::uint8_t* pixel = in + 3 * left;
+    const std::uint8_t* pixel = in + grid_index(left, 0, 3);
     const std::uint8_t* beside = left + 1 < width_px ? pixel + 3 : pixel;
     for (int c = 0; c < 3; ++c)
       out[c] = static_cast<std::uint8_t>(

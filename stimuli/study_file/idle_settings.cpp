@@ -43,6 +43,7 @@ void refuse_idle_settings(const TomlTable& table, const StudyDefinition& study) 
   const std::vector<ConditionDefinition> shown = list_conditions(study);
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     std::vector<SceneDefinition> as_shown;
+    as_shown.reserve(shown.size());
     for (const ConditionDefinition& condition : shown) as_shown.push_back(condition.scenes[i]);
     refuse_idle_of_scenes(scenes[i], as_shown);
   }
