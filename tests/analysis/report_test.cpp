@@ -73,6 +73,9 @@ TEST(IntervalText, SaysOpenEndsInWords) {
   EXPECT_EQ(interval_text({7, 9}, {.axis = {}, .smallest = 64, .largest = 4096}), "128 to 512");
   EXPECT_EQ(interval_text({7, above_every_level}, {.axis = {}, .smallest = 64, .largest = 4096}),
             "128 to above 4096");
+  EXPECT_EQ(interval_text({13, above_every_level}, {.axis = {}, .smallest = 64, .largest = 4096}),
+            "above 4096");
+  EXPECT_EQ(interval_text({below_every_level, 5}, {.axis = {}, .smallest = 64, .largest = 4096}), "below 64");
   EXPECT_EQ(interval_text({below_every_level, 7}, {.axis = {}, .smallest = 64, .largest = 4096}),
             "below 64 to 128");
   EXPECT_EQ(

@@ -48,9 +48,11 @@ bool has_end(const LevelInterval& interval) {
 
 std::string interval_text(const LevelInterval& interval, const TestedLevels& tested) {
   const LevelRange range = range_at(tested.axis, interval);
-  const std::string low = edge_text(range.low, tested);
-  if (range.low == range.high && !std::isfinite(range.low)) return low;
-  return low + " to " + edge_text(range.high, tested);
+  // Beyond the levels that were tested an open interval has no other end that means anything.
+  const bool is_below = range.low == -infinity && range.high <= tested.smallest;
+  const bool is_above = range.high == infinity && range.low >= tested.largest;
+  if (is_below || is_above) return edge_text(is_below ? range.low : range.high, tested);
+  return edge_text(range.low, tested) + " to " + edge_text(range.high, tested);
 }
 
 std::string estimate_text(const ThresholdEstimate& estimate, const TestedLevels& tested) {
