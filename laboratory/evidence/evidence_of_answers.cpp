@@ -85,7 +85,7 @@ const std::vector<std::string> tally_columns = {
 EvidencePage coverage_page() {
   return {.name = "coverage",
           .shows = "how often intervals hold the truth",
-          .takes = "45 minutes",
+          .takes = "67 minutes",
           .needs = tests_needed,
           .steps = {{"lines",
                      "SEAMLINE_TRUE_STUDIES=2000 tests/analysis_full_tests "
@@ -145,7 +145,7 @@ EvidencePage replication_page() {
   return {
       .name = "replication",
       .shows = "how often studies are said to agree with published values, and to differ",
-      .takes = "3 minutes",
+      .takes = "1 minute",
       .needs = tests_needed,
       .steps = {{"planted",
                  "SEAMLINE_TRUE_STUDIES=200 tests/analysis_full_tests "
@@ -269,7 +269,7 @@ EvidencePage statistics_page() {
   return {
       .name = "statistics",
       .shows = "fits, groups, comparisons, screening",
-      .takes = "20 minutes",
+      .takes = "10 minutes",
       .needs = tests_needed,
       .steps = {step("fit_intervals", "PsychometricSimulated.*"),
                 step("fit_groups", "PsychometricCoverage.*"),

@@ -42,7 +42,7 @@ EvidencePage planning_page() {
   EvidencePage page{
       .name = "planning",
       .shows = "what the levels of a study cost, and what QUEST+ gains",
-      .takes = "2 minutes",
+      .takes = "10 seconds",
       .needs = tests_needed,
       .steps = {{"quest_plus", "tests/study_quick_tests --gtest_filter=QuestPlusRecovery.*"}},
       .small_steps = {{"quick-joint", "seamline plan stimuli/quick.toml --participants 5 --studies 1",
@@ -76,7 +76,7 @@ EvidencePage depth_cameras_page() {
   return {
       .name = "depth_cameras",
       .shows = "how much things shake that rest on measured depth",
-      .takes = "2 minutes",
+      .takes = "80 seconds",
       .needs = "a build with Bullet",
       .steps =
           {{"teapot",

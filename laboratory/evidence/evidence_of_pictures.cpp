@@ -102,7 +102,7 @@ EvidencePage convergence_page() {
   };
   EvidencePage page{.name = "convergence",
                     .shows = "error of a picture against run time, mesh tolerance and depth width",
-                    .takes = "16 minutes",
+                    .takes = "28 minutes",
                     .needs = "",
                     .steps = {},
                     .small_steps = {}};
@@ -161,7 +161,7 @@ EvidencePage predictions_page() {
   return {
       .name = "predictions",
       .shows = "the order in which artifacts are predicted to be seen, and thresholds of the ready studies",
-      .takes = "an hour",
+      .takes = "29 minutes",
       .needs = "for the ready studies the source and Python",
       .steps = {{"render", "seamline render stimuli/depth_resolution_isolated.toml --error 0.0039 --out set",
                  Printed::progress},
@@ -203,7 +203,7 @@ EvidencePage real_time_page() {
   EvidencePage page{
       .name = "real_time",
       .shows = "frames a second, and real-time methods beside rays",
-      .takes = "5 minutes",
+      .takes = "2 minutes",
       .needs = "",
       .steps = {{"record",
                  "seamline record builtin:bedroom --preset structured_light_640x480 --frames 3 --spp 12 --at "
@@ -251,7 +251,7 @@ EvidencePage true_errors_page() {
   return {
       .name = "true_errors",
       .shows = "told errors of pictures beside true ones",
-      .takes = "2 hours",
+      .takes = "67 minutes",
       .needs = python_needed,
       .steps = {{"scenes", "benchmarks/true_errors/measure SEAMLINE scenes --csv told_and_true.csv"},
                 {"clips",

@@ -13,7 +13,7 @@ EvidencePage stability_page() {
   return {
       .name = "stability",
       .shows = "stiff and extreme input; orders of convergence",
-      .takes = "2 minutes",
+      .takes = "75 seconds",
       .needs = "",
       .steps = {{"cases", "seamline lab stability --figure orders.svg --csv cases.csv", Printed::progress}},
       .small_steps = {{"cases", "seamline lab stability --only quest_plus --csv cases.csv",
@@ -33,7 +33,7 @@ EvidencePage speed_page() {
   return {
       .name = "speed",
       .shows = "rays, captures, meshes and pictures beside bare Embree and Blender's Cycles",
-      .takes = "20 minutes",
+      .takes = "36 minutes",
       .needs = "for Cycles the source and Blender, else it is left out",
       .steps = {{"bench", "seamline lab bench --csv bench.csv", Printed::progress},
                 {"cycles", "benchmarks/cycles/compare SEAMLINE SCENES cycles 128 160"}},
@@ -81,7 +81,7 @@ EvidencePage faults_page() {
 EvidencePage growth_page() {
   return {.name = "growth",
           .shows = "how time and memory of each command grow",
-          .takes = "1 hour",
+          .takes = "39 minutes",
           .needs = python_needed,
           .steps = {{"growth", "benchmarks/growth SEAMLINE work --large"}},
           .small_steps = {{"growth", "benchmarks/growth SEAMLINE work --only nodes"}},
@@ -104,7 +104,7 @@ EvidencePage scale_page() {
                               .where = {{"stimuli", stimuli}}});
   return {.name = "scale",
           .shows = "sets of up to 20,000 stimuli",
-          .takes = "10 minutes",
+          .takes = "5 minutes",
           .needs = "the source, Python, a build with -DSEAMLINE_BENCHMARKS=ON",
           .steps = {{"scale", "benchmarks/scale BUILD work"}},
           .small_steps = {{"scale", "benchmarks/scale BUILD work 240"}},

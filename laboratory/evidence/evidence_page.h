@@ -47,7 +47,7 @@ struct EvidenceFigure {
 struct EvidencePage {
   std::string name;   ///< of the page, and of the folder that the command writes
   std::string shows;  ///< one sentence
-  std::string takes;  ///< on two cores
+  std::string takes;  ///< processor time
   std::string needs;  ///< besides the installed program; may be empty
   std::vector<EvidenceStep> steps, small_steps;
   std::vector<std::string> shown = {};  ///< .svg, .csv and .md that the steps write, if they do

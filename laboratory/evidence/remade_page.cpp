@@ -62,7 +62,7 @@ std::string remade_page(const EvidencePage& page, bool small, const std::vector<
       fmt::format("# Evidence: {}\n\n{}.\n\nMade by {}, with\n\n```\nseamline lab evidence {}{}\n```\n\n",
                   page.name, page.shows, made_by(), page.name, small ? " --small" : "");
   text += small ? "This is the small form. It shows that the page can be remade; its numbers are rough.\n\n"
-                : fmt::format("It takes about {} on two cores.\n\n", page.takes);
+                : fmt::format("It takes about {} of processor time.\n\n", page.takes);
   std::error_code error;
   std::vector<std::string> shown = shown_files(page);
   std::erase_if(shown,
