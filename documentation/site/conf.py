@@ -29,7 +29,12 @@ def whole_options(app, page, template, context, doctree):
     """A browser may break a line after each hyphen; an option of a command stays whole, and so do 5 %, a date and a short cell of a table."""
     def block(match):
         return re.sub(r"(?<![\w-])(--?[A-Za-z][\w-]*)", r'<span class="option">\1</span>', match[0])
-    body = re.sub(r"<pre>.*?</pre>", block, context.get("body", ""), flags=re.S)
+    def aligned(match):  # columns of a formula or of what a command prints must not wrap
+        text = re.sub(r"<[^>]*>", "", match[2])
+        columns = re.search(r"\S {3,}[^\s#]|^\|", text, re.M) and not re.search(r"^(build/release/)?seamline ", text, re.M)
+        return f'{match[1]} class="aligned">{match[2]}</pre>' if columns else match[0]
+    body = re.sub(r'(<div class="highlight-(?:none|default) notranslate"><div class="highlight"><pre)>(.*?)</pre>', aligned, context.get("body", ""), flags=re.S)
+    body = re.sub(r"<pre>.*?</pre>", block, body, flags=re.S)
     body = re.sub(r'<span class="pre">(--[\w-]+)</span>', r'<span class="pre option">\1</span>', body)
     body = re.sub(r"(?<=[ (>])(20\d\d-\d\d-\d\d)\b", r'<span class="whole">\1</span>', body)
     body = re.sub(r"(<td[^>]*>)<p>([^<]{1,16})</p>", r'\1<p class="whole">\2</p>', body)
