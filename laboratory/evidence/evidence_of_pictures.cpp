@@ -102,7 +102,7 @@ EvidencePage convergence_page() {
   };
   EvidencePage page{.name = "convergence",
                     .shows = "error of a picture against run time, mesh tolerance and depth width",
-                    .takes = "28 minutes",
+                    .takes = "26 minutes",
                     .needs = "",
                     .steps = {},
                     .small_steps = {}};

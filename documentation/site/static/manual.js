@@ -2,7 +2,11 @@
 document.addEventListener("click", (event) => {
   const large = document.querySelector("article img.large");
   if (large) large.classList.remove("large");
-  else if (event.target.matches("article img")) event.target.classList.add("large");
+  else if (event.target.matches("article img")) {
+    const { naturalWidth, naturalHeight } = event.target;
+    event.target.classList.toggle("wide", naturalWidth > 1.2 * naturalHeight);
+    event.target.classList.add("large");
+  }
 });
 document.addEventListener("keydown", (event) => {
   if (event.key === "Escape") document.querySelector("article img.large")?.classList.remove("large");
