@@ -208,7 +208,7 @@ std::vector<LevelSet> level_sets_to_try(const std::vector<double>& levels, const
 
 StudyPlan plan_study(const PlanRequest& request) {
   const StudyDefinition study =
-      of_one_task(request, read_study(request.study_file, AssetCheck::not_needed, {}, IdleSettings::kept));
+      of_one_task(request, read_study(request.study_file, AssetCheck::not_needed, {}, request.idle));
   const PlannedTask task = planned_task(study, request.assumed.false_alarms);
   check_study(request, study);
   check_ratings(request, task);

@@ -8,6 +8,7 @@
 #include "analysis/foresight/plan_estimators.h"
 #include "analysis/foresight/plan_targets.h"
 #include "stimuli/definition/study_definition.h"
+#include "stimuli/study_file/study_file.h"
 
 namespace seamline::analysis {
 
@@ -20,6 +21,7 @@ struct NoSeamClaim {
 /// What `seamline plan STUDY.toml` asks for.
 struct PlanRequest {
   std::filesystem::path study_file;
+  IdleSettings idle = IdleSettings::refused;  ///< kept where sets of the study are there
   WantedTargets wanted = {};
   AssumedPeople assumed = {};
   PlanEstimator estimator = PlanEstimator::joint;

@@ -41,6 +41,7 @@ std::vector<std::string> pieces_of(const std::string& text, char between) {
 void add_planned_number(Preregistration& content, const FreezeOptions& options) {
   PlanRequest request = plan_request(options.plan);
   request.study_file = options.study;
+  if (!options.sets.empty()) request.idle = IdleSettings::kept;
   const StudyPlan plan = plan_study(request);
   const std::optional<DesignRow> design = fewest_participants(plan, 0);  // of the study's own levels
   if (!design)

@@ -7,7 +7,6 @@
 #include <map>
 #include <set>
 
-#include "stimuli/definition/looks/condition_tasks.h"
 #include "stimuli/definition/moving/clip_definition.h"
 #include "stimuli/settings/people/observer_settings.h"
 #include "stimuli/settings/read_settings.h"
@@ -171,19 +170,6 @@ void read_depth_keys(const TomlTable& table, const LevelDefinition& level, Depth
                           fmt::format("{}", depth.yaw_texels));
 }
 
-/// Two conditions of one meaning would be asked about twice.
-std::string meaning(const ConditionDefinition& condition, const StudyDefinition& study) {
-  std::string text =
-      fmt::format("{} {} {} {} {}\n", word(condition.isolation), condition.depth.width_px,
-                  condition.depth.yaw_texels, word(condition.depth.mesh), condition.depth.mesh_tolerance) +
-      canonical_text(condition.depth.chain) +
-      fmt::format(" {} {} {}\n", word(condition.depth.albedo), canonical_text(condition.depth.mitigation),
-                  canonical_text(condition.depth.pipeline));
-  for (const SceneDefinition& scene : condition.scenes) text += canonical_text(scene);
-  if (condition.look) text += "look " + canonical_text(*condition.look) + "\n";
-  return text + meaning_of_task(condition.task ? condition.task.get() : study.task.get());
-}
-
 ConditionDefinition read_condition(const TomlTable& table, const StudyDefinition& study,
                                    const AssetFolders& folders, AssetCheck assets, DepthClock* clock) {
   ConditionDefinition condition{
@@ -249,7 +235,6 @@ std::vector<ConditionDefinition> read_conditions(const TomlTable& table, const S
                                                  const AssetFolders& folders, AssetCheck assets,
                                                  ClipDefinition* clip) {
   std::vector<ConditionDefinition> conditions;
-  std::map<std::string, std::string> names;  // by meaning
   std::set<std::string> used;
   for (const TomlTable& one : table.tables("condition")) {
     DepthClock clock = clip != nullptr ? clip->clocks.at("") : DepthClock{};
@@ -257,12 +242,7 @@ std::vector<ConditionDefinition> read_conditions(const TomlTable& table, const S
     const ConditionDefinition& condition = conditions.back();
     if (!used.insert(condition.name).second)
       throw one.complaint("name", "a name that no other condition has", "\"" + condition.name + "\"");
-    const std::string of_clock = fmt::format("depth clock {} {}", clock.frames_per_s, clock.delay_ms);
     if (clip != nullptr) clip->clocks[condition.name] = clock;
-    const auto [twin, added] = names.emplace(meaning(condition, study) + of_clock, condition.name);
-    if (!added)
-      throw one.complaint("name", "settings that no other condition has",
-                          "those of \"" + twin->second + "\" under the name \"" + condition.name + "\"");
   }
   if (conditions.size() > most_conditions)
     throw table.complaint("condition", fmt::format("at most {} conditions", most_conditions),

@@ -18,8 +18,8 @@ struct DepthClock;
                                        std::uint64_t seed, DepthClock* clock);
 
 /// Every `[[condition]]`, over the study's own settings and scenes, which must have been read. Throws
-/// InputError where a condition sets what is the level, sets what another of its settings makes void, or is
-/// another one under a second name. `clip` is null of stills; of clips it gets each condition's clock.
+/// InputError where a condition sets what is the level, or what another of its settings makes void. `clip` is
+/// null of stills; of clips it gets each condition's clock.
 [[nodiscard]] std::vector<ConditionDefinition> read_conditions(const TomlTable& table,
                                                                const StudyDefinition& study,
                                                                const AssetFolders& folders, AssetCheck assets,

@@ -1,5 +1,6 @@
 #include "analysis/foresight/plan_text.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -12,6 +13,7 @@
 #include "support/files/atomic_file.h"
 #include "support/files/temporary_folder.h"
 #include "support/text/error.h"
+#include "tests/complaint.h"
 
 namespace seamline::analysis {
 namespace {
@@ -263,6 +265,15 @@ TEST_F(PlanStudy, NoSeamIsShownWhereThereIsNone) {
   EXPECT_LT(plan_study(wish).designs[2].no_seam[0], 0.05);
   wish.no_seam->level = 100;
   EXPECT_THROW((void)plan_study(wish), InputError);
+}
+
+TEST_F(PlanStudy, AStudyThatCheckRefusesIsPlannedOnlyWhereItsSetsAreThere) {
+  PlanRequest idle = request(paper_widths + "\nmesh = \"full\"\nmesh_tolerance = 0.01\n", "\"receiver\"");
+  idle.studies = 5;
+  EXPECT_THAT(test::complaint_of([&] { (void)plan_study(idle); }),
+              testing::HasSubstr("mesh_tolerance: wanted mesh = \"adaptive\" beside it"));
+  idle.idle = IdleSettings::kept;
+  EXPECT_EQ(plan_study(idle).curves.size(), 1U);
 }
 
 TEST_F(PlanStudy, StudiesThatCannotBePlannedAreWrongInput) {

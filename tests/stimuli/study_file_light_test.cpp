@@ -82,6 +82,20 @@ TEST(StudyFileLight, WhatOneConditionUsesIsNotIdle) {
       3);
 }
 
+TEST(StudyFileLight, ConditionsThatDifferInIdleSettingsAloneAreOne) {
+  const std::string first = "[[condition]]\nname = \"one\"\nambient_occlusion = true\n[[condition]]\nname = ";
+  const std::string sky = "environment = \"sky.hdr\"";
+  for (const char* idle : {"bounces = 0", "environment_radiance = [1, 1, 1]", "environment_strength = 2"})
+    EXPECT_THAT(light_complaint(sky, first + "\"other\"\nambient_occlusion = true\n" + idle + "\n"),
+                testing::EndsWith("condition[1].name: wanted settings that no other condition has, found "
+                                  "those of \"one\" under the name \"other\""))
+        << idle;
+  for (const char* used : {"ambient_occlusion = true\nao_distance_m = 3", "bounces = 0",
+                           "ambient_occlusion = true\nenvironment_radiance = [2, 2, 2]",
+                           "ambient_occlusion = true\nbounces = 0\nmesh = \"full\""})
+    EXPECT_EQ(light_complaint(sky, first + "\"other\"\n" + used + "\n"), "no complaint") << used;
+}
+
 TEST(StudyFileLight, LampsSunsAndMapsAreRead) {
   const SceneDefinition scene =
       lit_study(

@@ -58,7 +58,7 @@ class ConditionTasks : public testing::Test {
   std::string complaint(const std::string& tables, const std::string& first = "") {
     std::string text = study_text("asked", "64, 512") + tables;
     text.insert(text.find("seed = "), first);
-    return test::complaint_of([&] { (void)read_study_text(text, "study.toml"); });
+    return test::complaint_of([&] { (void)read_study_text(text, "study.toml", IdleSettings::refused); });
   }
 
  private:
