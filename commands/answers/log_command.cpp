@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "study/log/log_admin.h"
 #include "study/log/log_writer.h"
@@ -18,6 +19,7 @@
 #include "study/log/recovery/log_upgrade.h"
 #include "study/running/quest_plus_results.h"
 #include "study/running/staircase_results.h"
+#include "support/files/held/written_files.h"
 #include "support/text/counted.h"
 
 namespace seamline::study {
@@ -98,6 +100,8 @@ void add_people(CLI::App& log) {
 void add_panel(CLI::App& log) {
   add_action(log, "identifiers", "write who came from a panel as which participant, with which end, as CSV",
              {"file", "CSV to write"}, [](const LogArguments& given) {
+               require_outputs(std::vector<OptionFile>{{"file", given.second}},
+                               std::vector<OptionFile>{{"log", given.log}});
                fmt::print("{}: {}\n", given.second,
                           counted(write_recruits(given.log, given.second), "person", "people"));
              });

@@ -8,6 +8,7 @@
 #include <memory>
 #include <numbers>
 
+#include "commands/options/output_files.h"
 #include "registration/calibration/calibrate.h"
 #include "registration/calibration/opencv.h"
 #include "registration/files/camera_file.h"
@@ -292,7 +293,8 @@ void add_calibrate_command(CLI::App& app) {
                                       ->capture_default_str();
   command->add_option("--camera", options->camera, "TOML file with what is known already, and stays");
   command->add_option("--out", options->out, "folder to write; made when missing")->required();
-  command->callback([options, board, square, confidence] {
+  command->callback([options, board, square, confidence, command] {
+    require_outputs_in_folder(*command, {"camera.toml", "parameters.csv", "covariance.csv"});
     options->board_given = board->count() > 0;
     options->square_given = square->count() > 0;
     options->confidence_given = confidence->count() > 0;

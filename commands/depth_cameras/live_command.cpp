@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "commands/options/command_help.h"
+#include "commands/options/output_files.h"
 #include "commands/options/setting_option.h"
 #include "composites/objects/objects_file.h"
 #include "live/running/run_headless.h"
@@ -180,7 +181,8 @@ void add_live_command(CLI::App& app, const ShowInWindow& show) {
                            {"Physics and tracking", {"--drop", "--marker-side"}},
                            {"Several eyes", {"--views", "--eye-spacing", "--zero-parallax"}},
                            {"Without a window", {"--headless", "--out", "--csv", "--time", "--threads"}}});
-  command->callback([options, show, marker, spacing, parallax, drop] {
+  command->callback([options, show, marker, spacing, parallax, drop, command] {
+    require_outputs(*command, {"--csv"});
     options->marker_given = marker->count() > 0;
     options->spacing_given = spacing->count() > 0;
     options->parallax_given = parallax->count() > 0;

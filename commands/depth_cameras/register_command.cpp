@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "commands/options/output_files.h"
 #include "commands/options/setting_option.h"
 #include "raytracer/common/stopwatch.h"
 #include "registration/errors/error_report.h"
@@ -280,7 +281,10 @@ void add_register_command(CLI::App& app) {
       add_number(*command, "--error-tolerance", options->tolerance, {1e-6, 10},
                  "share of the true depth from which on registered depth counts as wrong")
           ->capture_default_str();
-  command->callback([options, jumps, ratio, extrusion, tolerance] {
+  command->callback([options, jumps, ratio, extrusion, tolerance, command] {
+    require_outputs_in_folder(
+        *command, {"registered.exr", "filled.png", "extruded.png", "invented.png", "edges.png", "points.png",
+                   "points.ply", "errors.csv", "errors.png"});
     options->tolerance_given = tolerance->count() > 0;
     options->jumps_given = jumps->count() > 0;
     options->ratio_given = ratio->count() > 0;

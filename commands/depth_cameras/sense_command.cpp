@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "commands/depth_cameras/rig_options.h"
+#include "commands/options/output_files.h"
 #include "raytracer/common/parallel.h"
 #include "registration/files/camera_file.h"
 #include "registration/pictures/depth_picture.h"
@@ -147,7 +148,10 @@ void add_sense_command(CLI::App& app) {
              "number of the moment: another one has other noise")
       ->capture_default_str();
   add_photograph_options(*command, options->photograph);
-  command->callback([options, at] {
+  command->callback([options, at, command] {
+    require_outputs_in_folder(
+        *command, {"depth.exr", "true_depth.exr", "true_registered.exr", "depth.png", "amplitude.exr",
+                   "amplitude.png", "confidence.exr", "colour.exr", "colour.png", "camera.toml"});
     options->has_place = at->count() > 0;
     run_sense(*options);
   });

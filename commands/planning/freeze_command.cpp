@@ -13,6 +13,7 @@
 #include "commands/options/command_help.h"
 #include "commands/planning/plan_options.h"
 #include "support/files/atomic_file.h"
+#include "support/files/held/written_files.h"
 #include "support/text/counted.h"
 #include "support/text/error.h"
 #include "support/text/number_option.h"
@@ -63,6 +64,7 @@ void require_kit(const FreezeOptions& options) {
     throw input_error({.field = "--kit",
                        .wanted = "a set beside the study: it says how many trials a participant has",
                        .found = "none"});
+  require_apart(std::vector<OptionFile>{{"--out", options.out}, {"--kit", options.kit}});
   if (std::filesystem::exists(std::filesystem::symlink_status(options.kit)))
     throw input_error(
         {.file = options.kit, .field = "--kit", .wanted = "a folder that is not there yet", .found = "one"});

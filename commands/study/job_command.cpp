@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "commands/photographs/mesh_options.h"
 #include "commands/study/render_command.h"
 #include "commands/study/render_options.h"
 #include "sets/cluster/job_scripts.h"
@@ -111,6 +112,7 @@ void run_piece_or_complain(const PieceOptions& options) {
 }
 
 void run_status(const std::string& set, const std::string& html) {
+  if (!html.empty()) need_extension(html, {".html"}, "--html");
   const SetStatus status = read_status(set);
   if (html.empty())
     fmt::print("{}", status_text(set, status));

@@ -164,7 +164,7 @@ void add_serve_command(CLI::App& app) {
                       "write a unit of systemd that serves with this command's other options");
   command->add_option("--nginx", options->nginx, "write a configuration for nginx, for a wider network");
   command->callback([options, command] {
-    require_outputs(*command, {"--systemd", "--nginx"});
+    require_outputs(*command, {"--systemd", "--nginx"}, {"--log", "--tokens", "--codes", "--watch"});
     run_serve(*options);
   });
 }

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "commands/options/output_files.h"
 #include "stimuli/set/manifest_pictures.h"
 #include "stimuli/study_file/people/study_file_language.h"
 #include "stimuli/study_file/study_file.h"
@@ -147,7 +148,10 @@ void add_study_command(CLI::App& app, const ParticipantRunner& run_participant) 
   add_number(*command, "--seed", options->seed, any_seed, "of the simulated people")->capture_default_str();
   add_number(*command, "--gain", options->gain, {1e-9, 1e9},
              "of the observer image, as `predict` prints it (else the study's observer.image_gain)");
-  command->callback([options, run_participant] { study(*options, run_participant); });
+  command->callback([options, run_participant, command] {
+    require_outputs(*command, {"--frame-times"}, {"--log"});
+    study(*options, run_participant);
+  });
 }
 
 }  // namespace seamline::study

@@ -164,6 +164,16 @@ TEST_F(Calibrate, FindsAPoseFromPairsAndLeavesOutWhatIsNotTrusted) {
   EXPECT_GT((spoilt.colour_from_depth->matrix() - pose.matrix()).norm(), 1e-3);
 }
 
+TEST_F(Calibrate, ItsFolderDoesNotReplaceTheCameraThatItReads) {
+  fs::create_directories(folder_ / "out");
+  write_text(folder_ / "out" / "camera.toml", "what is known");
+  const Outcome outcome =
+      calibrate("--pairs none.csv --camera " + (folder_ / "out" / "camera.toml").string());
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.output, HasSubstr("--out: wanted another file than --camera, which would be lost"));
+  EXPECT_EQ(test::read_text(folder_ / "out" / "camera.toml"), "what is known");
+}
+
 TEST_F(Calibrate, WrongInputIsOneSentenceAndWritesNothing) {
   write_png(folder_ / "empty.png", ByteImage{64, 48, 1, std::vector<std::uint8_t>(64 * 48, 99)});
   const std::string empty = (folder_ / "empty.png").string();

@@ -99,10 +99,35 @@ TEST(Outputs, AreNoInputsAndAreTriedBeforeAnythingIsRead) {
       "animate figure.glb " + in("photo.png") + " --out " + in("a.glb") + " --angles " + in("photo.png"),
       "--angles: wanted another file than joints");
   for (const char* option : {"--systemd", "--nginx"})
-    test::expect_refused("serve pages --log " + in("photo.png") + " " + option + " " + in("photo.png"),
-                         std::string(option) + ": wanted another file than --log");
+    for (const char* log : {"photo.png", "new.sqlite"})
+      test::expect_refused("serve pages --log " + in(log) + " " + option + " " + in(log),
+                           std::string(option) + ": wanted another file than --log");
+  test::expect_refused("study pages --log " + in("new") + " --frame-times " + in("./new"),
+                       "--frame-times: wanted another file than --log");
+  test::expect_refused("log identifiers " + in("photo.png") + " " + in("photo.png"),
+                       "file: wanted another file than log");
+  test::expect_refused("freeze s.toml set --out " + in("new") + " --kit " + in("new"),
+                       "--kit: wanted another file than --out");
+  test::expect_refused("job status . --html " + in("photo.png"), "--html: wanted");
+  test::expect_refused("serve pages --log l --tokens t --codes " + in("new") + " --watch " + in("./new"),
+                       "--watch: wanted another file than --codes");
   EXPECT_EQ(test::read_text(folder / "photo.png"), photograph);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 2);
+}
+
+TEST(Outputs, AreNoFilesThatASceneOrATableOfObjectsNames) {
+  const fs::path folder = test::fresh_folder("outputs-named");
+  const auto in = [&](const std::string& name) { return (folder / name).string(); };
+  test::write_text(folder / "room.gltf",
+                   R"({"asset": {"version": "2.0"}, "images": [{"uri": "the%2Dwall.png"}]})");
+  test::write_text(folder / "the-wall.png", "a picture");
+  test::write_text(folder / "objects.toml", "[[object]]\nfile = \"room.gltf\"\nposition_m = [0, 0, -1]\n");
+  const std::string wall = in("the-wall.png");
+  test::expect_refused("picture " + in("room.gltf") + " --out " + wall,
+                       "--out: wanted another file than one that scene names, which would be lost");
+  test::expect_refused("picture builtin:bedroom --objects " + in("objects.toml") + " --out " + wall,
+                       "--out: wanted another file than one that --objects names");
+  EXPECT_EQ(test::read_text(folder / "the-wall.png"), "a picture");
 }
 
 }  // namespace

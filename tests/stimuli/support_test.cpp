@@ -156,6 +156,8 @@ TEST_F(WrittenFiles, AreNoInputByAnyNameAndNotTheSameTwice) {
   EXPECT_NE(said({{"--out", folder_ / "new.png"}, {"--layers", folder_ / "./new.png"}})
                 .find("--layers: wanted another file than --out"),
             std::string::npos);
+  EXPECT_NE(said({{"--out", "new.png"}, {"--layers", "./new.png"}}).find("another file than --out"),
+            std::string::npos);
   EXPECT_EQ(said({{"--out", folder_ / "new.png"}, {"--layers", folder_ / "new.exr"}}), "no complaint");
   EXPECT_EQ(read_file(folder_ / "photo.png"), "a photograph");
 }

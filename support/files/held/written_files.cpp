@@ -14,13 +14,13 @@ InputError bad_output(const OptionFile& output, const std::string& wanted, const
   return input_error({.file = output.path.string(), .field = output.field, .wanted = wanted, .found = found});
 }
 
-/// Also of files that are not there yet.
+/// Also of files that are not there yet: whole paths, since what is not there stays as it was given.
 bool is_same_file(const fs::path& one, const fs::path& other) {
   std::error_code error;
   if (fs::equivalent(one, other, error) && !error) return true;
-  const fs::path first = fs::weakly_canonical(one, error);
+  const fs::path first = fs::weakly_canonical(fs::absolute(one), error);
   if (error) return false;
-  const fs::path second = fs::weakly_canonical(other, error);
+  const fs::path second = fs::weakly_canonical(fs::absolute(other), error);
   return !error && first == second;
 }
 
@@ -36,16 +36,19 @@ void require_place(const OptionFile& output) {
 }  // namespace
 
 void require_outputs(std::span<const OptionFile> outputs, std::span<const OptionFile> inputs) {
-  for (std::size_t i = 0; i < outputs.size(); ++i) {
-    const OptionFile& output = outputs[i];
+  for (const OptionFile& output : outputs)
     for (const OptionFile& input : inputs)
       if (is_same_file(output.path, input.path))
         throw bad_output(output, "another file than " + input.field + ", which would be lost", "the same");
-    for (const OptionFile& other : outputs.first(i))
-      if (is_same_file(output.path, other.path))
-        throw bad_output(output, "another file than " + other.field, "the same");
-    require_place(output);
-  }
+  require_apart(outputs);
+  for (const OptionFile& output : outputs) require_place(output);
+}
+
+void require_apart(std::span<const OptionFile> files) {
+  for (std::size_t i = 0; i < files.size(); ++i)
+    for (const OptionFile& other : files.first(i))
+      if (is_same_file(files[i].path, other.path))
+        throw bad_output(files[i], "another file than " + other.field, "the same");
 }
 
 }  // namespace seamline

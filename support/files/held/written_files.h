@@ -16,4 +16,7 @@ struct OptionFile {
 /// InputError naming the output.
 void require_outputs(std::span<const OptionFile> outputs, std::span<const OptionFile> inputs);
 
+/// No two of these are one file, by whatever names.
+void require_apart(std::span<const OptionFile> files);
+
 }  // namespace seamline
