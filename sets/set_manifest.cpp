@@ -54,14 +54,21 @@ Manifest set_manifest(const SetState& set, std::map<std::string, LightFacts>& li
   return out;
 }
 
+bool is_begun_set(const std::filesystem::path& folder) {
+  std::error_code error;
+  return std::filesystem::exists(folder / "manifest.json", error) ||
+         std::filesystem::directory_iterator(folder / "records", error) !=
+             std::filesystem::directory_iterator();
+}
+
 void require_set_folder(const std::filesystem::path& folder) {
   std::error_code error;
-  if (!std::filesystem::is_directory(folder, error)) return;
+  if (!std::filesystem::is_directory(folder, error) || is_begun_set(folder)) return;
   bool has_others = false;
   for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-    const std::string name = entry.path().filename().string();
-    if (name == "manifest.json" || name == "records") return;
-    has_others = has_others || !name.starts_with(".");  // a probe of another process, a mount's own
+    const bool is_hidden = entry.path().filename().string().starts_with(".");  // a probe, a mount's own
+    const bool is_empty_folder = entry.is_directory(error) && std::filesystem::is_empty(entry, error);
+    has_others = has_others || !(is_hidden || is_empty_folder);
   }
   if (has_others)
     throw input_error({.file = folder.string(),

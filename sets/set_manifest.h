@@ -23,8 +23,11 @@ struct SetState {
 /// the facts of scenes loaded so far; those of scenes that were finished earlier are added.
 [[nodiscard]] Manifest set_manifest(const SetState& set, std::map<std::string, LightFacts>& lights);
 
-/// Throws InputError unless a set may be rendered into the folder: it is not there, empty, or a set or a
-/// begun one (with `records`).
+/// Whether a folder has a set, or one that a render began: a manifest, or something in `records`.
+[[nodiscard]] bool is_begun_set(const std::filesystem::path& folder);
+
+/// Throws InputError unless a set may be rendered into the folder: it is not there, has nothing but empty
+/// folders, or is a begun set.
 void require_set_folder(const std::filesystem::path& folder);
 
 /// How many stimuli the manifest in a folder lists; 0 where there is none. Throws InputError for a set of

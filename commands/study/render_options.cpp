@@ -8,6 +8,7 @@
 
 #include "commands/options/setting_option.h"
 #include "commands/photographs/asset_root_option.h"
+#include "sets/set_manifest.h"
 #include "stimuli/study_file/study_file.h"
 #include "support/text/number_option.h"
 
@@ -39,7 +40,7 @@ void add_render_options(CLI::App& command, RenderOptions& options) {
 
 StudyDefinition study_of(const RenderOptions& options) {
   // A set that an earlier version began may have idle settings, and is finished with them.
-  const bool is_begun = !options.set.empty() && fs::exists(fs::path(options.set) / "records");
+  const bool is_begun = !options.set.empty() && is_begun_set(options.set);
   return read_study(options.study, AssetCheck::must_exist, options.asset_root,
                     is_begun ? IdleSettings::kept : IdleSettings::refused);
 }

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "sets/pages/page_frame.h"
+#include "sets/set_manifest.h"
 #include "sets/sharing/work_list.h"
 #include "stimuli/set/manifest.h"
 #include "support/files/atomic_file.h"
@@ -137,7 +138,7 @@ SetStatus read_status(const fs::path& set_folder) {
     throw input_error({.file = set_folder.string(),
                        .wanted = "a set that a job of `seamline render` makes, or one that is rendered",
                        .found = !fs::exists(set_folder, error) ? "no such folder"
-                                : fs::exists(set_folder / "records", error)
+                                : is_begun_set(set_folder)
                                     ? "one that a render without a job has begun, which leaves no marks"
                                     : "something else"});
   SetStatus status{.study = list->study, .job = list->job, .truths = {}, .marks = {}};

@@ -75,6 +75,16 @@ TEST(BadInput, AFolderWithOtherThingsIsNoPlaceForASetOrAReport) {
   expect_complaint(run_seamline("render " + (test::studies() / "quick.toml").string() + " --out " + out),
                    {"--out", "wanted a new or an empty folder, or one with a set"});
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(out), {}), 1);
+  std::filesystem::create_directories(folder / "out" / "records");  // somebody else's, and empty
+  expect_complaint(run_seamline("render " + (test::studies() / "quick.toml").string() + " --out " + out),
+                   {"--out", "wanted a new or an empty folder, or one with a set"});
+}
+
+TEST(BadInput, AnEmptyFolderOfRecordsIsNoBegunSetWhoseIdleSettingsAreKept) {
+  const auto folder = fresh_folder("bad-begun");
+  std::filesystem::create_directories(folder / "set" / "records");
+  expect_complaint(render_study(folder, quick_study_with({{"mesh = \"adaptive\"", "mesh = \"full\""}})),
+                   {"mesh_tolerance", "wanted mesh = \"adaptive\" beside it"});
 }
 
 TEST(BadInput, FileNamesThatNoFileSystemHolds) {
