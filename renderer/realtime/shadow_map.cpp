@@ -24,11 +24,28 @@ struct SeenPoint {
   [[nodiscard]] float texel_m(const ShadowMap& map) const {
     return map.view.from_point ? texel * at_m.z() : texel;
   }
+  /// The centres of a column and of a row on the picture plane.
+  [[nodiscard]] float u(const ShadowMap& map, int x) const {
+    return map.view.corner[0] + (static_cast<float>(x) + 0.5F) * texel;
+  }
+  [[nodiscard]] float v(const ShadowMap& map, int y) const {
+    return map.view.corner[1] + (static_cast<float>(y) + 0.5F) * texel;
+  }
 
   Eigen::Vector3f at_m;
   Eigen::Array2f place;
   float texel, column = 0, row = 0;
 };
+
+/// The column or row that a place in texels lies in; -1 outside the map.
+int texel_of(float place, int size_px) {
+  return place >= 0.0F && place < static_cast<float>(size_px) ? static_cast<int>(place) : -1;
+}
+
+/// What stands in a texel; infinity in none.
+float found_in(const ShadowMap& map, int x, int y) {
+  return x >= 0 && y >= 0 ? map.depth.at(x, y) : endless_m;
+}
 
 /// The nine texels of percentage-closer filtering, row by row, and what stands in each.
 struct NineTexels {
@@ -37,25 +54,17 @@ struct NineTexels {
     for (int i = 0; i < 3; ++i) {
       x[i] = texel_of(seen.column + static_cast<float>(i - 1), map.depth.width_px);
       y[i] = texel_of(seen.row + static_cast<float>(i - 1), map.depth.height_px);
-      u[i] = map.view.corner[0] + (static_cast<float>(x[i]) + 0.5F) * seen.texel;
-      v[i] = map.view.corner[1] + (static_cast<float>(y[i]) + 0.5F) * seen.texel;
+      u[i] = seen.u(map, x[i]);
+      v[i] = seen.v(map, y[i]);
     }
     for (int row = 0; row < 3; ++row)
-      for (int column = 0; column < 3; ++column) {
-        const bool is_inside = x[column] >= 0 && y[row] >= 0;
-        found_m[3 * row + column] = is_inside ? map.depth.at(x[column], y[row]) : endless_m;
-      }
+      for (int column = 0; column < 3; ++column) found_m[3 * row + column] = found_in(map, x[column], y[row]);
   }
   [[nodiscard]] float nearest_m() const { return *std::min_element(found_m.begin(), found_m.end()); }
   [[nodiscard]] float farthest_m() const { return *std::max_element(found_m.begin(), found_m.end()); }
 
   std::array<float, 3> u, v;  ///< of the texels' centres on the picture plane
   std::array<float, 9> found_m;
-
- private:
-  static int texel_of(float place, int size_px) {
-    return place >= 0.0F && place < static_cast<float>(size_px) ? static_cast<int>(place) : -1;
-  }
 };
 
 /// A receiver as a light sees it: its plane's depth near it.
@@ -77,12 +86,11 @@ class Receiver {
   /// Depth of what stands in the light's way in the texel at an offset in texels; infinity where nothing
   /// does. `on_plane`: compared with the receiver's plane at the texel's centre instead of its own depth.
   [[nodiscard]] float blocker_m(float right, float down, bool on_plane) const {
-    const float x = std::floor(seen_.column + right), y = std::floor(seen_.row + down);
-    const float found_m = depth_at(map_.depth, x + 0.5F, y + 0.5F);
+    const int x = texel_of(seen_.column + right, map_.depth.width_px);
+    const int y = texel_of(seen_.row + down, map_.depth.height_px);
+    const float found_m = found_in(map_, x, y);
     if (found_m == endless_m) return endless_m;
-    const float own_m = on_plane ? plane_m(map_.view.corner[0] + (x + 0.5F) * seen_.texel,
-                                           map_.view.corner[1] + (y + 0.5F) * seen_.texel)
-                                 : depth_m();
+    const float own_m = on_plane ? plane_m(seen_.u(map_, x), seen_.v(map_, y)) : depth_m();
     return is_in_the_way(found_m, own_m) ? found_m : endless_m;
   }
 
