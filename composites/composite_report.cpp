@@ -10,6 +10,7 @@
 #include "stimuli/pictures/flip_map.h"
 #include "support/files/atomic_file.h"
 #include "support/files/temporary_folder.h"
+#include "support/text/counted.h"
 #include "support/text/html.h"
 
 namespace seamline::renderer {
@@ -100,7 +101,7 @@ std::string against_full(const CompositeRequest& request, const MadeComposite& m
 }  // namespace
 
 std::string samples_text(const SamplesTaken& taken) {
-  if (taken.least == taken.most) return fmt::format("{} samples a pixel", taken.most);
+  if (taken.least == taken.most) return counted(taken.most, "sample") + " a pixel";
   return fmt::format("{} to {} samples a pixel, {:.1f} in the mean", taken.least, taken.most, taken.mean);
 }
 

@@ -22,6 +22,7 @@
 #include "renderer/picture/rare_light.h"
 #include "sets/set_layers.h"
 #include "support/running/progress.h"
+#include "support/text/counted.h"
 #include "support/text/error.h"
 #include "support/text/printable.h"
 #include "support/text/request_name.h"
@@ -373,9 +374,9 @@ void make_composite(const CompositeRequest& asked, const CompositeListener& list
                          made.triangles, made.estimator, samples_text(made.taken),
                          made.error ? fmt::format(", estimated error {:.4f}", *made.error) : "",
                          made.mesh_seconds + made.picture_seconds));
-  notes.tell(fmt::format("{} pixels had too little light for a ratio, {} were clamped",
-                         made.picture.tiny_denominators.floored_pixels,
-                         made.picture.tiny_denominators.clamped_pixels));
+  notes.tell(fmt::format("{} had too little light for a ratio, {} clamped",
+                         counted(made.picture.tiny_denominators.floored_pixels, "pixel"),
+                         counted(made.picture.tiny_denominators.clamped_pixels, "was", "were")));
 }
 
 }  // namespace seamline::renderer

@@ -10,6 +10,7 @@
 #include "raytracer/common/stopwatch.h"
 #include "renderer/depth/depth_map.h"
 #include "sensors/repair/named_repair.h"
+#include "support/text/counted.h"
 #include "support/text/error.h"
 #include "support/text/printable.h"
 #include "support/text/request_name.h"
@@ -32,9 +33,9 @@ void repair_depth(const CompositeRequest& request, const SeenPhoto& seen, PhotoD
                      request_name("repair") + ")",
                  fmt::format("{} x {}", depth.width_px, depth.height_px));
   sensors::Repaired mended = sensors::repair(*depth.frame, method, &photograph, request.threads);
-  notes.say(fmt::format("{} {} changed {} pixels of the depth map and gave {} holes a depth",
-                        request_name("repair"), request.repair, mended.count(sensors::RepairMark::changed),
-                        mended.count(sensors::RepairMark::invented)));
+  notes.say(fmt::format("{} {} changed {} of the depth map and gave {} a depth", request_name("repair"),
+                        request.repair, counted(mended.count(sensors::RepairMark::changed), "pixel"),
+                        counted(mended.count(sensors::RepairMark::invented), "hole")));
   depth.holes = mended.count(sensors::RepairMark::empty);
   depth.frame = std::move(mended.frame);
 }

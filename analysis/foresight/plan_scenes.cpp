@@ -5,6 +5,7 @@
 #include "analysis/over_scenes/two_spreads.h"
 #include "analysis/statistics/distributions.h"
 #include "support/files/markdown_table.h"
+#include "support/text/counted.h"
 
 namespace seamline::analysis {
 namespace {
@@ -18,7 +19,7 @@ CsvTable scenes_plan_table(const StudyPlan& plan) {
   CsvTable table{.name = "scenes",
                  .columns = {{"threshold", "", ""}, {"people", "", ""}, {"these scenes alone", "", ""}},
                  .rows = {}};
-  for (const int scenes : planned_scenes) table.columns.push_back({fmt::format("{} scenes", scenes), "", ""});
+  for (const int scenes : planned_scenes) table.columns.push_back({counted(scenes, "scene"), "", ""});
   for (const PlanRow& row : plan.rows) {
     const PlanTarget& target = plan.targets[row.target];
     if (row.level_set != 0 || target.against || !row.interval.within) continue;

@@ -62,8 +62,10 @@ std::string times_text(const std::vector<TimedFrame>& frames) {
       text += fmt::format("  {:<12}{:>8.2f} ms  {:5.1f} %\n", word(static_cast<FrameStage>(i)), ms,
                           100 * ms / total_ms);
   }
-  return text + fmt::format("  {:<12}{:>8.2f} ms  {:.1f} frames a second\n  medians of {} frames\n", "total",
-                            total_ms, 1000 / total_ms, frames.size());
+  return text + fmt::format("  {:<12}{:>8.2f} ms  {:.1f} frames a second\n  {}\n", "total", total_ms,
+                            1000 / total_ms,
+                            frames.size() == 1 ? std::string("of one frame")
+                                               : fmt::format("medians of {} frames", frames.size()));
 }
 
 }  // namespace seamline::live

@@ -13,6 +13,7 @@
 #include "support/files/confined_path.h"
 #include "support/files/gnuplot.h"
 #include "support/running/progress.h"
+#include "support/text/counted.h"
 #include "support/text/error.h"
 #include "support/text/html.h"
 
@@ -129,10 +130,10 @@ std::string number(const std::optional<double>& value, int digits) {
 std::string summary(const SetErrors& e) {
   const SetSeconds& s = e.seconds;
   std::string text = fmt::format(
-      "<p>{} stimuli of {} x {} pixels; {} of work on {} threads ({}), {:.0f} million rays.</p>\n"
+      "<p>{} of {} x {} pixels; {} of work on {} ({}), {:.0f} million rays.</p>\n"
       "<table><thead><tr><th>Where the time went</th><th>seconds</th><th>share</th></tr></thead><tbody>",
-      e.rows.size(), e.width_px, e.height_px, duration_text(s.total()), e.threads, html_escape(e.machine),
-      e.rays * 1e-6);
+      counted(e.rows.size(), "stimulus", "stimuli"), e.width_px, e.height_px, duration_text(s.total()),
+      counted(e.threads, "thread"), html_escape(e.machine), e.rays * 1e-6);
   const auto line = [&](const char* what, double seconds) {
     text += fmt::format("<tr><td>{}</td><td>{:.1f}</td><td>{:.0f} %</td></tr>", what, seconds,
                         s.total() > 0 ? 100 * seconds / s.total() : 0.0);
@@ -196,9 +197,9 @@ std::string table(const SetErrors& errors) {
     rays += row.rays;
   }
   return text + fmt::format(
-                    "</tbody><tfoot><tr><td>{} stimuli</td><td>{:.1f}</td><td>{:.1f}</td><td></td><td></td>"
+                    "</tbody><tfoot><tr><td>{}</td><td>{:.1f}</td><td>{:.1f}</td><td></td><td></td>"
                     "<td></td><td></td><td></td>{}</tr></tfoot></table></div>\n",
-                    errors.rows.size(), errors.seconds.stimuli, rays * 1e-6,
+                    counted(errors.rows.size(), "stimulus", "stimuli"), errors.seconds.stimuli, rays * 1e-6,
                     errors.of_clips ? "<td></td>" : "");
 }
 

@@ -63,7 +63,9 @@ std::string light_text(const ScenePlan& plan) {
   text += fmt::format("{}, {}{}.", sky, none_or_counted(plan.choices.bounces, "bounce"),
                       light.emits ? ", surfaces that emit" : "");
   if (light.emitting_triangles > 0)
-    text += fmt::format(" {} triangles of the background are sampled as lamps.", light.emitting_triangles);
+    text += fmt::format(" {} sampled as lamps.",
+                        counted(light.emitting_triangles, "triangle of the background is",
+                                "triangles of the background are"));
   return text + fmt::format(" Surfaces reflect at most {:.2f} of it.\n", light.brightest_albedo);
 }
 
@@ -191,7 +193,7 @@ std::string explain(const StudyDefinition& study, const RenderPlan& plan) {
       "{}: {} x {} px, {} estimator, {}, isolation {}\n", study.name, study.width_px, study.height_px,
       word(settings.estimator),
       settings.error ? fmt::format("estimated error below {} of the display range", *settings.error)
-                     : fmt::format("{} samples a pixel", settings.spp),
+                     : counted(settings.spp, "sample") + " a pixel",
       word(plan.isolation));
   out += depth_text(study);
   for (const ScenePlan& scene : plan.scenes)

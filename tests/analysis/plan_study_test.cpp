@@ -52,6 +52,7 @@ TEST_F(PlanStudy, SaysWhatScenesCanClaimWhereTheirSpreadIsAssumed) {
   std::string with = plan_text(plan);
   const std::string scenes = scenes_plan_text(plan), assumed = " " + scenes_assumed_text(asked, plan.axis);
   EXPECT_NE(scenes.find("10 scenes"), std::string::npos);
+  EXPECT_EQ(scenes.find("1 scenes"), std::string::npos);
   EXPECT_NE(scenes.find("With one scene"), std::string::npos);
   for (const std::string& part : {scenes, assumed}) {
     ASSERT_NE(with.find(part), std::string::npos);

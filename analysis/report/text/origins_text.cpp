@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "analysis/report/text/threshold_text.h"
+#include "support/text/counted.h"
 
 namespace seamline::analysis {
 
@@ -55,12 +56,13 @@ std::string origin_sentence(const Analysis& analysis) {
   if (!analysis.origins) return "";
   const OriginComparison& origins = *analysis.origins;
   return fmt::format(
-      "{} participants took part in the lab and {} in a browser. The difference of a threshold is tested by "
+      "{} took part in the lab and {} in a browser. The difference of a threshold is tested by "
       "permuting "
       "participants between lab and web ({} permutations, seed {}); a threshold beyond the levels tested "
       "counts as at "
       "their end. Nobody was assigned to lab or web at random, so a difference may be one of the people.",
-      origins.lab.participants, origins.web.participants, origins.permutations, analysis.resampling.seed);
+      counted(origins.lab.participants, "participant"), origins.web.participants, origins.permutations,
+      analysis.resampling.seed);
 }
 
 std::string origins_text(const Analysis& analysis) {
