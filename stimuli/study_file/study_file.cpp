@@ -57,38 +57,19 @@ void read_midpoints(const TomlTable& table, std::map<Artifact, double>& midpoint
   table.finish();
 }
 
+/// Of widths as the papers have them, and of what a width means; of other levels nobody knows.
 std::map<Artifact, double> usual_midpoints(const LevelDefinition& level) {
-  std::map<Artifact, double> midpoint;
-  switch (level.quantity) {
-    case Quantity::depth_width_px:
-      return ObserverDefinition{}.midpoint;
-    case Quantity::texels_per_degree:
-      for (const auto& [artifact, width_px] : ObserverDefinition{}.midpoint)
-        midpoint[artifact] = width_px / 360;
-      return midpoint;
-    case Quantity::depth_samples:
-      for (const auto& [artifact, width_px] : ObserverDefinition{}.midpoint)
-        midpoint[artifact] = width_px * width_px / 2;
-      return midpoint;
-    case Quantity::mesh_tolerance:
-    case Quantity::sun_radius_deg:
-    case Quantity::depth_noise:
-    case Quantity::outlier_share:
-    case Quantity::calibration_error_deg:
-    case Quantity::calibration_error_m:
-    case Quantity::depth_field_of_view_deg:
-    case Quantity::depth_delay_ms:
-    case Quantity::shadow_map_px:
-    case Quantity::shadow_bias_texels:
-    case Quantity::light_count:
-    case Quantity::field_bands:
-    case Quantity::field_shells:
-    case Quantity::object_speed_m_s:
-    case Quantity::depth_frames_per_s:
-    case Quantity::estimate_share:
-      return midpoint;  // nobody knows
+  std::map<Artifact, double> midpoint = ObserverDefinition{}.midpoint;
+  if (level.quantity == Quantity::depth_width_px) return midpoint;
+  if (level.quantity == Quantity::texels_per_degree) {
+    for (auto& [artifact, value] : midpoint) value = value / 360;
+    return midpoint;
   }
-  return midpoint;
+  if (level.quantity == Quantity::depth_samples) {
+    for (auto& [artifact, value] : midpoint) value = value * value / 2;
+    return midpoint;
+  }
+  return {};
 }
 
 void read_linear_scales(const TomlTable& table, const LevelDefinition& level, ObserverDefinition& observer) {

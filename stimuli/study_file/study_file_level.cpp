@@ -54,43 +54,18 @@ void check_samples(const TomlTable& table, double samples) {
                         fmt::format("{}", samples));
 }
 
+/// What a quantity asks of its levels beyond its range; most ask nothing.
 void check_level(const TomlTable& table, const char* key, Quantity quantity, double level) {
-  if (facts(quantity).whole && level != std::floor(level))
-    throw table.complaint(key, "whole numbers", fmt::format("{}", level));
-  switch (quantity) {
-    case Quantity::depth_width_px:
-      if (std::fmod(level, 2) != 0) throw table.complaint(key, "even widths", fmt::format("{}", level));
-      break;
-    case Quantity::texels_per_degree:
-      check_texels(table, level);
-      break;
-    case Quantity::depth_samples:
-      check_samples(table, level);
-      break;
-    case Quantity::mesh_tolerance:
-      if (level != 0 && level < 1e-9)
-        throw table.complaint(key, "0 or at least 1e-09", fmt::format("{}", level));
-      break;
-    case Quantity::light_count:
-      if (std::exp2(std::round(std::log2(level))) != level)
-        throw table.complaint(key, "powers of two, because median cut halves", fmt::format("{}", level));
-      break;
-    case Quantity::sun_radius_deg:
-    case Quantity::depth_noise:
-    case Quantity::outlier_share:
-    case Quantity::calibration_error_deg:
-    case Quantity::calibration_error_m:
-    case Quantity::depth_field_of_view_deg:
-    case Quantity::depth_delay_ms:
-    case Quantity::shadow_map_px:
-    case Quantity::shadow_bias_texels:
-    case Quantity::field_bands:
-    case Quantity::field_shells:
-    case Quantity::object_speed_m_s:
-    case Quantity::depth_frames_per_s:
-    case Quantity::estimate_share:
-      break;
-  }
+  const auto require = [&](bool fine, const char* wanted) {
+    if (!fine) throw table.complaint(key, wanted, fmt::format("{}", level));
+  };
+  require(!facts(quantity).whole || level == std::floor(level), "whole numbers");
+  if (quantity == Quantity::depth_width_px) require(std::fmod(level, 2) == 0, "even widths");
+  if (quantity == Quantity::texels_per_degree) check_texels(table, level);
+  if (quantity == Quantity::depth_samples) check_samples(table, level);
+  if (quantity == Quantity::mesh_tolerance) require(level == 0 || level >= 1e-9, "0 or at least 1e-09");
+  if (quantity == Quantity::light_count)
+    require(std::exp2(std::round(std::log2(level))) == level, "powers of two, because median cut halves");
 }
 
 /// Sorts levels, and finds those that are or would be named alike.

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 #include "stimuli/definition/stimulus.h"
@@ -142,6 +143,24 @@ TEST(StudyFileLevel, AnObserverMayHaveMidpointsInACondition) {
   EXPECT_EQ(study.observer.condition_midpoint.at("soft").at(Artifact::receiver), 120);
   EXPECT_EQ(study.observer.condition_midpoint.at("soft").at(Artifact::overlap), 900);
   EXPECT_FALSE(study.observer.condition_midpoint.contains("hard"));
+}
+
+TEST(StudyFileLevel, WhatAWidthMeansHasThePapersMidpointsAndOtherLevelsHaveNone) {
+  const auto midpoints = [](const std::string& quantity, const std::string& values,
+                            const std::string& top = "") {
+    return study_with(top + "[level]\nquantity = \"" + quantity + "\"\nvalues = " + values).observer.midpoint;
+  };
+  const std::map<Artifact, double> of_widths = study_with("depth_width_px = [64, 512]").observer.midpoint;
+  const std::map<Artifact, double> of_texels = midpoints("texels_per_degree", "[0.1778, 1.4222]");
+  const std::map<Artifact, double> of_samples = midpoints("depth_samples", "[2048, 8192]");
+  EXPECT_EQ(of_widths.at(Artifact::receiver), 300);
+  ASSERT_EQ(of_texels.size(), of_widths.size());
+  ASSERT_EQ(of_samples.size(), of_widths.size());
+  for (const auto& [artifact, width_px] : of_widths) {
+    EXPECT_DOUBLE_EQ(of_texels.at(artifact), width_px / 360);
+    EXPECT_DOUBLE_EQ(of_samples.at(artifact), width_px * width_px / 2);
+  }
+  EXPECT_TRUE(midpoints("mesh_tolerance", "[0.01, 0.1]", "depth_width_px = 1024\n").empty());
 }
 
 TEST(StudyFileLevel, RefusesWhatWouldBeIgnoredOrMeanTwoThings) {
