@@ -1,6 +1,8 @@
 #include "commands/options/output_files.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -19,16 +21,32 @@ bool is_file(const fs::path& path) {
   return fs::is_regular_file(path, error);
 }
 
+/// The text of a file that may name others; of a .glb its JSON, which comes before megabytes of numbers.
+std::string text_of(const fs::path& file) {
+  std::error_code error;
+  auto size = fs::file_size(file, error);
+  if (error) return {};
+  std::ifstream in(file, std::ios::binary);
+  if (file.extension() == ".glb") {
+    constexpr std::size_t length_at = 12, head_bytes = 20;  // glTF 2.0, section 4.4
+    std::array<unsigned char, head_bytes> head{};
+    if (!in.read(reinterpret_cast<char*>(head.data()), head_bytes)) return {};
+    std::uintmax_t length = 0;
+    for (std::size_t i = 4; i-- > 0;) length = 256 * length + head[length_at + i];
+    size = std::min(size - head_bytes, length);
+  }
+  std::string text(size > limits::largest_scene_file_bytes ? 0 : size, ' ');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  return text;
+}
+
 /// Files that a scene or a table of objects names: what stands in quotes there, and is a file seen from its
 /// folder. It is not parsed, since whoever reads it says what is wrong with it.
 std::vector<fs::path> files_named_in(const fs::path& file) {
   const fs::path ending = file.extension();
   const bool is_table = ending == ".toml";
   if (!is_table && ending != ".gltf" && ending != ".glb") return {};
-  std::error_code error;
-  const auto size = fs::file_size(file, error);
-  std::string text(error || size > limits::largest_scene_file_bytes ? 0 : size, ' ');
-  std::ifstream(file, std::ios::binary).read(text.data(), static_cast<std::streamsize>(text.size()));
+  const std::string text = text_of(file);
   constexpr std::size_t longest_name = 4096;
   std::vector<fs::path> named;
   for (std::size_t start = text.find('"'); start != std::string::npos; start = text.find('"', start + 1)) {
@@ -39,7 +57,7 @@ std::vector<fs::path> files_named_in(const fs::path& file) {
     const fs::path path = file.parent_path() / (is_table ? name : renderer::file_of_uri(name));
     if (!is_file(path)) continue;
     named.push_back(path);
-    if (is_table)
+    if (is_table && path.extension() != ending)  // a table that names itself
       for (const fs::path& inside : files_named_in(path)) named.push_back(inside);
   }
   return named;

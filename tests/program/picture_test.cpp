@@ -127,6 +127,17 @@ TEST(Outputs, AreNoFilesThatASceneOrATableOfObjectsNames) {
                        "--out: wanted another file than one that scene names, which would be lost");
   test::expect_refused("picture builtin:bedroom --objects " + in("objects.toml") + " --out " + wall,
                        "--out: wanted another file than one that --objects names");
+  const std::string json = R"({"asset": {"version": "2.0"}, "images": [{"uri": "the-wall.png"}]})";
+  const auto number = [](std::size_t n) {
+    return std::string{static_cast<char>(n), static_cast<char>(n / 256), '\0', '\0'};
+  };
+  test::write_text(folder / "room.glb",
+                   "glTF" + number(2) + number(json.size() + 20) + number(json.size()) + "JSON" + json);
+  test::expect_refused("picture " + in("room.glb") + " --out " + wall,
+                       "--out: wanted another file than one that scene names, which would be lost");
+  test::write_text(folder / "self.toml", "[[object]]\nfile = \"self.toml\"\nposition_m = [0, 0, -1]\n");
+  test::expect_refused("picture builtin:bedroom --objects " + in("self.toml") + " --out " + in("new.png"),
+                       "self.toml: wanted a whole glTF 2.0 file");
   EXPECT_EQ(test::read_text(folder / "the-wall.png"), "a picture");
 }
 
