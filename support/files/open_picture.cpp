@@ -134,7 +134,9 @@ std::string picture_format(std::string_view bytes, const std::string& name) {
 
 OpenedPicture open_picture(const fs::path& path, bool alpha_apart) {
   if (!fs::is_regular_file(path))
-    throw input_error({.file = path.string(), .wanted = "an image file", .found = "no such file"});
+    throw input_error({.file = path.string(),
+                       .wanted = "an image file",
+                       .found = fs::is_directory(path) ? "a folder" : "no such file"});
   const std::string format = format_of_file(path);
   const auto file_bytes = static_cast<std::uint64_t>(fs::file_size(path));
   if (format == "openexr") check_exr_header(path);

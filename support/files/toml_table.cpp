@@ -8,6 +8,7 @@
 
 #include "support/files/atomic_file.h"
 #include "support/files/toml_library.h"
+#include "support/text/printable.h"
 #include "support/text/suggest.h"
 #include "support/text/text_bounds.h"
 
@@ -61,6 +62,19 @@ void look_at_texts(const toml::node& node, const std::string& field, const LookA
   }
 }
 
+/// Editors of Windows save UTF-16, or one byte a letter; the parser's words do not say so.
+void require_utf8(const std::string& text, const std::filesystem::path& path) {
+  if (is_utf8(text)) return;
+  const bool is_utf16 = text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
+  std::size_t line = 1, begin = 0;  // the first line that is not
+  for (std::size_t end = 0; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1, ++line)
+    if (!is_utf8(std::string_view(text).substr(begin, end - begin))) break;
+  throw input_error({.file = path.string(),
+                     .field = is_utf16 ? "" : fmt::format("line {}", line),
+                     .wanted = "text in UTF-8 (save the file anew with that encoding)",
+                     .found = is_utf16 ? "UTF-16" : "letters in another encoding"});
+}
+
 }  // namespace
 
 TomlTable::TomlTable(std::shared_ptr<const Node> node, std::string file, std::string prefix)
@@ -71,6 +85,7 @@ TomlTable TomlTable::read(const std::filesystem::path& path) {
 }
 
 TomlTable TomlTable::parse(const std::string& text, const std::filesystem::path& path) {
+  require_utf8(text, path);
   require_bounded_toml(text, path.string());
   try {
     auto root = std::make_shared<const toml::table>(toml::parse(text, path.string()));

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 
+#include "refusal.h"
 #include "run_program.h"
 
 namespace seamline {
 namespace {
 
+using test::expect_refused;
 using test::fresh_folder;
 using test::Outcome;
 using test::quick_study_with;
@@ -110,6 +112,40 @@ TEST(BadInput, TruncatedGlb) {
                                 " --at 0 0 0 --width 64 --out " + (folder / "e.exr").string()),
                    {"cut.glb", "whole glTF"});
   EXPECT_FALSE(std::filesystem::exists(folder / "e.exr"));
+}
+
+TEST(BadInput, WhatWasTakenForASceneIsNamed) {
+  const auto folder = fresh_folder("bad-kind");
+  const auto said = [&](const std::string& name, const std::string& bytes, const std::string& found) {
+    write_text(folder / name, bytes);
+    expect_refused("picture " + (folder / name).string() + " --out " + (folder / "a.png").string(), found);
+  };
+  said("empty.glb", "", "found an empty file");
+  said("page.glb", "\n\n<!DOCTYPE html>\n<html></html>\n", "found a page of HTML or XML");
+  said("photo.glb", "\x89PNG\r\n\x1a\n" + std::string(300, '['), "found another kind of file");
+  said("model.gltf", "o cube\nv 0 0 0\n", "found another kind of file");
+  said("far.gltf",
+       R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":36,"uri":"https://example.org/a.bin"}]})",
+       "found the address \"https://example.org/a.bin\", which is not fetched");
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.png"));
+}
+
+TEST(BadInput, StudyFilesInOtherEncodingsAreNamed) {
+  const auto folder = fresh_folder("bad-encoding");
+  const auto said = [&](const std::string& bytes, const std::string& found) {
+    write_text(folder / "study.toml", bytes);
+    expect_refused("check " + (folder / "study.toml").string(), found);
+  };
+  said("name = \"Z\xC3\xBCrich\"\nfile = \"B\xFCro.glb\"\n",
+       "study.toml: line 2: wanted text in UTF-8 (save the file anew with that encoding), found letters in "
+       "another encoding");
+  said(std::string("\xFF\xFEn\0a\0", 6),
+       "wanted text in UTF-8 (save the file anew with that encoding), found UTF-16");
+}
+
+TEST(BadInput, AFolderIsNoPictureAndNoDepthMap) {
+  const auto folder = fresh_folder("bad-folder");
+  expect_refused("flip " + folder.string() + " " + folder.string(), "wanted an image file, found a folder");
 }
 
 TEST(BadInput, GltfWithABadAccessor) {

@@ -47,6 +47,9 @@ bool is_place_of_compressed_bytes(const GltfJson& json, std::size_t buffer) {
 }
 
 std::string bytes_of_file(const std::string& uri, const fs::path& path, const std::string& field) {
+  if (uri.find("://") != std::string::npos)
+    throw bad_gltf(path, field, "a file of bytes beside the glTF file",
+                   "the address \"" + printable(uri) + "\", which is not fetched");
   const fs::path file = path_below(path.parent_path().empty() ? fs::path(".") : path.parent_path(),
                                    file_of_uri(uri), {.file = path.string(), .field = field});
   std::error_code error;

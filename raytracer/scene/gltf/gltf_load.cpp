@@ -122,8 +122,20 @@ void add_pictures(const PictureTables& tables, tinygltf::Model& model) {
   }
 }
 
+/// Files that were taken for a scene are refused by what they are, before their text is looked at.
+void require_json(const std::string& text, const fs::path& path) {
+  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  if (begin == std::string::npos) throw bad_gltf(path, "", "a whole glTF 2.0 file", "an empty file");
+  if (text[begin] == '<')
+    throw bad_gltf(path, "", "a whole glTF 2.0 file",
+                   "a page of HTML or XML (it may have been saved in place of the file itself)");
+  if (text[begin] != '{')
+    throw bad_gltf(path, "", "a whole glTF 2.0 file", "another kind of file, neither JSON nor binary glTF");
+}
+
 /// What a scene needs and no more: what is not there cannot be misread.
 GltfJson needed_part(const std::string& text, const fs::path& path, LeftOut& left_out, GltfJson* animations) {
+  require_json(text, path);
   require_bounded_json(text, path.string());
   GltfJson json = GltfJson::parse(text, nullptr, false);
   if (!json.is_object()) throw bad_gltf(path, "", "a whole glTF 2.0 file", "one whose JSON is damaged");
