@@ -49,6 +49,16 @@ TEST(Fit, JsonHoldsItsContract) {
             json["percent_correct"][0]["estimate"].get<double>());
 }
 
+TEST(Fit, OneLevelHasNoDegreesOfFreedomAndNoResidual) {
+  const Outcome outcome =
+      run_seamline("fit " + file_with("one", "level,correct,trials\n16,23,40\n") + " --alternatives 2");
+  ASSERT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_THAT(outcome.output, HasSubstr("not identified: one level tested"));
+  EXPECT_THAT(outcome.output,
+              HasSubstr("deviance 0.000, not tested: 1 group of answers for 3 free parameters"));
+  EXPECT_THAT(outcome.output, HasSubstr("| 0.575 |  0.575 |        0 |"));
+}
+
 TEST(Fit, OneSigmoidInOtherWordsIsTheSameCommand) {
   const std::string file = file_with("same", falling);
   const Outcome one = run_seamline("fit " + file + " --alternatives 3 --json");

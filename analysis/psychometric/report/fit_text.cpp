@@ -52,17 +52,20 @@ CsvTable levels_table(const Goodness& goodness, bool answers_are_yes) {
                              {"fitted", "", ""},
                              {"residual", "", ""}},
                  .rows = {}};
-  for (const LevelResidual& level : goodness.residuals)
+  for (const LevelResidual& level : goodness.residuals) {
+    const double residual = level.deviance_residual;
     table.rows.push_back({level.counts.level, level.counts.correct, level.counts.trials, level.counts.share(),
-                          level.fitted, level.deviance_residual});
+                          level.fitted, std::abs(residual) < 1e-6 ? 0.0 : residual});  // what rounding leaves
+  }
   return table;
 }
 
 /// What p is of, or why there is none.
 std::string deviance_text(const JudgedFit& report) {
   const Goodness& goodness = report.goodness;
-  std::string text = fmt::format("deviance {:.3f} on {} of freedom", goodness.deviance,
-                                 counted(goodness.degrees_of_freedom, "degree"));
+  std::string text = fmt::format("deviance {:.3f}", goodness.deviance);
+  if (goodness.degrees_of_freedom >= 0)
+    text += fmt::format(" on {} of freedom", counted(goodness.degrees_of_freedom, "degree"));
   if (goodness.groups.size() < report.fit.levels.size())
     text += fmt::format(" ({} levels in {} groups of neighbours)", report.fit.levels.size(),
                         goodness.groups.size());
