@@ -20,6 +20,7 @@
 #include "sets/pages/clip_seams.h"
 #include "sets/pages/seams_page.h"
 #include "sets/set_seams.h"
+#include "stimuli/definition/clip_frames.h"
 #include "stimuli/set/level_notes.h"
 #include "stimuli/study_file/study_file.h"
 #include "support/files/atomic_file.h"
@@ -76,6 +77,7 @@ void check_study(const std::string& path, const std::string& asset_root) {
   for (const SceneDefinition& scene : study.scenes) {
     stop_if_interrupted();
     SceneDefinition by_one_eye = scene;  // the rules are of the scene, however it is shown
+    if (study.clip) by_one_eye = scene_at(by_one_eye, study, study.level.values.front(), 0);
     by_one_eye.view = {};
     const TruthScene truth = load_truth_scene(by_one_eye, study.width_px, study.height_px);
     for (const std::string& said : left_out_sentences(truth)) fmt::print("note    {}\n", said);

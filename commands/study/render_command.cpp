@@ -127,9 +127,10 @@ void run_verify(const std::string& set) {
 
 RenderSummary render_and_say(const StudyDefinition& study, const RenderRequest& request) {
   RenderSummary summary = render_set(study, request);
-  fmt::print("{}: {} rendered, {} kept from before, {}\n", request.set_folder.string(),
-             counted(summary.rendered, "stimulus", "stimuli"), summary.already_finished,
-             duration_text(summary.seconds));
+  fmt::print(
+      "{}: {} rendered, {} kept from before, {}\n", request.set_folder.string(),
+      study.clip ? counted(summary.rendered, "frame") : counted(summary.rendered, "stimulus", "stimuli"),
+      summary.already_finished, duration_text(summary.seconds));
   for (const std::string& note : summary.notes) fmt::print(stderr, "seamline: {}\n", note);
   std::fflush(stdout);
   return summary;

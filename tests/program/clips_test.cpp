@@ -182,6 +182,9 @@ TEST(RenderedClips, AnAnimatedFrameIsTheStillOfThatMomentAndAMovedCameraTheStill
         test::run_seamline("render " + (folder / "study.toml").string() + " --out " +
                            (folder / "set").string() + " --spp 2 --only " + only + " --threads 2");
     EXPECT_EQ(ran.status, 0) << ran.output;
+    const bool is_clip = study.find("[clip]") != std::string::npos;
+    EXPECT_NE(ran.output.find(is_clip ? " frames rendered" : " stimulus rendered"), std::string::npos)
+        << ran.output;
     return folder / "set";
   };
   const std::string clip = "[clip]\nframes = 3\nframes_per_s = 4\n",
@@ -207,6 +210,9 @@ TEST(RenderedClips, AnAnimatedFrameIsTheStillOfThatMomentAndAMovedCameraTheStill
   EXPECT_TRUE(frame_of(going, "beast", "@002") == frame_of(there, "beast", ""));
   EXPECT_FALSE(frame_of(going, "beast", "@002") == frame);
   EXPECT_TRUE(frame_of(going, "beast", "@000") == frame_of(rising, "beast", "@000"));
+  const auto checked = test::run_seamline("check " + (rising.parent_path() / "study.toml").string());
+  EXPECT_NE(checked.output.find("gazebo"), std::string::npos) << checked.output;
+  EXPECT_EQ(checked.output.find("shown at rest"), std::string::npos) << checked.output;
 }
 
 TEST(RenderedClips, PiecesAndThreadsGiveTheSameBytes) {
