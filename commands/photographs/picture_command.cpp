@@ -121,7 +121,9 @@ void require_light(const Light& light, const PictureOptions& options) {
 /// The view that nobody gave, in the words of the options.
 void print_framing(const SceneFile& file, const std::optional<CameraDefinition>& camera) {
   if (!camera) return;  // the file's own
-  const auto place = [](const Eigen::Vector3d& v) {
+  const double size_m = (camera->position_m - camera->look_at_m).norm();
+  const auto place = [&](const Eigen::Vector3d& at) {
+    const Eigen::Vector3d v = (at.array().abs() < 1e-5 * size_m).select(0.0, at);  // what rounding leaves
     return fmt::format("{:.4g} {:.4g} {:.4g}", v.x(), v.y(), v.z());
   };
   fmt::print("{} has no camera, so the whole scene is shown: --at {} --look-at {} --fov {:.4g}\n",

@@ -20,6 +20,11 @@ void add(std::span<const Eigen::Vector3f> positions_m, std::span<const Triangle>
   for (const Triangle& t : triangles) ground.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
 }
 
+/// Small numbers would be printed as -0.00.
+Eigen::Vector3d without_negative_zeros(const Eigen::Vector3d& v, double half_step) {
+  return (v.array().abs() < half_step).select(0.0, v);
+}
+
 }  // namespace
 
 Ground ground_of(std::span<const std::shared_ptr<const SurfaceMesh>> surfaces,
@@ -58,8 +63,9 @@ RestingObject rested(const SceneFile& file, const Eigen::Affine3d& placement, co
 }
 
 std::string rest_sentence(const std::string& name, const RestingObject& object) {
-  const Eigen::Vector3d at = object.placement.translation();
-  const Eigen::Vector3d turn = rotation_deg_of(object.settled.world_from_body.linear());
+  const Eigen::Vector3d at = without_negative_zeros(object.placement.translation(), 5e-5);
+  const Eigen::Vector3d turn =
+      without_negative_zeros(rotation_deg_of(object.settled.world_from_body.linear()), 5e-3);
   return fmt::format(
       "{} rests after {:.1f} s, {:.3g} m from its place and turned by {:.3g} degrees: position {:.4f} {:.4f} "
       "{:.4f}, rotation {:.2f} {:.2f} {:.2f}",

@@ -2,6 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstring>
+
 #include "refusal.h"
 #include "run_program.h"
 #include "support/files/image.h"
@@ -45,6 +48,23 @@ TEST(Picture, WithoutACameraItShowsTheWholeSceneAndSaysHow) {
     EXPECT_EQ(picture.at(x, picture.height_px - 1), 1);
   }
   EXPECT_LT(picture.at(24, 13), 1);
+}
+
+TEST(Picture, AViewNobodyGaveHasNoCrumbsOfRounding) {
+  const fs::path folder = test::fresh_folder("picture-crumbs");
+  const std::array<float, 9> corners = {-1, 0, 1e-9F, 1, 0, 1e-9F, 0, 1, 1e-9F};
+  std::string bytes(sizeof corners, '\0');
+  std::memcpy(bytes.data(), corners.data(), sizeof corners);
+  test::write_text(folder / "a.bin", bytes);
+  test::write_text(
+      folder / "a.gltf",
+      R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":36,"uri":"a.bin"}],"bufferViews":[{"buffer":0,"byteLength":36}],)"
+      R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],)"
+      R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}]})");
+  const test::Outcome outcome = run_seamline("picture " + (folder / "a.gltf").string() +
+                                             " --environment 1 1 1" + (small + (folder / "a.exr").string()));
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_THAT(outcome.output, HasSubstr("--look-at 0 0.5 0 --fov"));
 }
 
 TEST(Picture, WithoutLightItSaysWhichOptionsGiveSome) {

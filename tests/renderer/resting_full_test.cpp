@@ -55,6 +55,8 @@ TEST(RestingObject, BuiltInObjectsRestInBuiltInRooms) {
         EXPECT_LE(rests.settled.seconds, 5) << name << " in " << room;
         EXPECT_NEAR(rests.placement.translation().y(), floor_m, 0.005) << name << " in " << room;
         EXPECT_LT(rests.settled.turned_deg, 5) << name << " in " << room;
+        const std::string said = renderer::rest_sentence(name, rests);
+        EXPECT_EQ(said.find("-0.00 "), std::string::npos) << said;
       }
   }
 }
