@@ -91,12 +91,13 @@ Rendered render(const CompositeRequest& request, const PhotoScene& scene, const 
                    " none, where nothing real shades the objects, beside " + request_name("shadows") +
                    " none, virtual light and beside a lens that leaves the picture's corners empty",
          .found = "fast"});
-  Progress progress(title, 1.0);
+  std::optional<Progress> progress;  // its clock begins with the samples: what goes before would be scaled up
   const PassOptions pass{.spp = request.spp,
                          .seed = request.seed,
                          .threads = request.threads,
                          .progress = [&, last = 0.0](double share) mutable {
-                           if (share > last) progress.advance(share - last, "");
+                           if (!progress) return void(progress.emplace(title, 1.0));
+                           if (share > last) progress->advance(share - last, "");
                            last = std::max(last, share);
                          }};
   const Stopwatch watch;
