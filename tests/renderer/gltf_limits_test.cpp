@@ -73,6 +73,7 @@ std::string glb(const std::string& json, const std::string& binary) {
 
 TEST_F(GltfLimits, AGoodFileReads) {
   EXPECT_EQ(complaint(gltf({})), "no complaint");
+  EXPECT_EQ(complaint("\xEF\xBB\xBF" + gltf({})), "no complaint");  // a mark of byte order
   EXPECT_EQ(complaint(glb(gltf({.buffers = R"([{"byteLength":48}])"}), std::string(48, '\0')), "scene.glb"),
             "no complaint");
 }

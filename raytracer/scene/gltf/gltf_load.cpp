@@ -124,7 +124,8 @@ void add_pictures(const PictureTables& tables, tinygltf::Model& model) {
 
 /// Files that were taken for a scene are refused by what they are, before their text is looked at.
 void require_json(const std::string& text, const fs::path& path) {
-  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  const std::size_t after_mark = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;  // of byte order, which JSON skips
+  const std::size_t begin = text.find_first_not_of(" \t\r\n", after_mark);
   if (begin == std::string::npos) throw bad_gltf(path, "", "a whole glTF 2.0 file", "an empty file");
   if (text[begin] == '<')
     throw bad_gltf(path, "", "a whole glTF 2.0 file",
