@@ -17,7 +17,7 @@ namespace {
 std::vector<int> curves_with_numbers(const JointFit& fit) {
   std::vector<int> curves;
   for (int c = 0; c < fit.model.curves; ++c)
-    if (fit.curves[c] == CurveVerdict::estimated) curves.push_back(c);
+    if (fit.estimated(c)) curves.push_back(c);
   return curves;
 }
 
@@ -81,9 +81,9 @@ void add_table(const std::string& question, const JointFit& fit, const JointJack
 void add_shifts(const JointFit& fit, const JointJackknife& left_out, const std::vector<CurveLabel>& labels,
                 const LevelAxis& axis, JointContrasts& into) {
   for (int c = 0; c < fit.model.curves; ++c)
-    if (const CurveVerdict verdict = fit.curves[c]; verdict != CurveVerdict::estimated)
-      into.notes.push_back(
-          fmt::format("{} is left out of the comparisons: {}.", text_of_label(labels[c]), word(verdict)));
+    if (!fit.estimated(c))
+      into.notes.push_back(fmt::format("{} is left out of the comparisons: {}.", text_of_label(labels[c]),
+                                       verdict_text(fit.curves[c])));
   if (!fit.estimated()) {
     into.notes.push_back("Thresholds are not compared: " + fit.explanation);
     return;

@@ -72,15 +72,15 @@ bool answers_above_chance(const JointData& data, const CurveTally& tally) {
   return variance > 0 && normal_above(tally.beyond / std::sqrt(variance)) < above_chance_at;
 }
 
-CurveVerdict verdict_of_curve(const JointData& data, int curve, bool own_scale) {
+JointVerdict verdict_of_curve(const JointData& data, int curve, bool own_scale) {
   const CurveTally tally = tally_curve(data, curve);
-  if (tally.right + tally.wrong <= 0) return CurveVerdict::no_answers;
+  if (tally.right + tally.wrong <= 0) return NoThreshold::no_answers;
   if (levels_of_curve(data, curve).size() < (own_scale ? levels_of_a_scale : levels_of_a_threshold))
-    return CurveVerdict::too_few_levels;
-  if (tally.wrong <= 0) return CurveVerdict::never_wrong;
+    return NoThreshold::too_few_levels;
+  if (tally.wrong <= 0) return NoThreshold::never_wrong;
   const bool few = tally.excess.size() < fewest_for_test;
   const bool above = above_chance(tally.excess) || (few && answers_above_chance(data, tally));
-  return above ? CurveVerdict::estimated : CurveVerdict::at_chance;
+  return above ? JointVerdict() : NoThreshold::at_chance;
 }
 
 /// What is maximised, without the penalty of one coordinate.
@@ -116,90 +116,54 @@ void conclude(JointFit& fit, JointVerdict verdict, std::string explanation) {
   fit.explanation = std::move(explanation);
 }
 
-bool any_curve(const JointFit& fit, CurveVerdict verdict) {
-  return std::find(fit.curves.begin(), fit.curves.end(), verdict) != fit.curves.end();
+bool any_estimated(const JointFit& fit) {
+  return std::find(fit.curves.begin(), fit.curves.end(), std::nullopt) != fit.curves.end();
 }
 
-bool every_curve(const JointFit& fit, CurveVerdict verdict) {
-  return std::all_of(fit.curves.begin(), fit.curves.end(), [&](CurveVerdict one) { return one == verdict; });
+bool every_never_wrong(const JointFit& fit) {
+  return std::all_of(fit.curves.begin(), fit.curves.end(),
+                     [](JointVerdict one) { return one == NoThreshold::never_wrong; });
 }
 
 /// Curves whose scale, their own or the shared one, may be a step's.
 void mark_steps(JointFit& fit, const JointCounts& counts) {
   std::optional<bool> shared;
   for (int c = 0; c < fit.model.curves; ++c) {
-    CurveVerdict& curve = fit.curves[c];
-    if (curve != CurveVerdict::estimated) continue;
+    if (!fit.estimated(c)) continue;
     const bool known = shared ? *shared : excludes_step(fit, counts, c);
     if (fit.model.sharing.scale) shared = known;
-    if (!known) curve = CurveVerdict::separated;
+    if (!known) fit.curves[c] = NoThreshold::separated;
   }
 }
 
 /// False, with a verdict, for answers to which the model cannot be fitted.
 bool joint_can_be_fitted(const JointData& data, JointFit& fit) {
   if (data.people.empty() || fit.answers <= 0) {
-    conclude(fit, JointVerdict::no_answers, "Nobody answered at any level.");
+    conclude(fit, NoThreshold::no_answers, "Nobody answered at any level.");
     return false;
   }
   std::size_t most_levels = 0;
   for (int c = 0; c < fit.model.curves; ++c)
     most_levels = std::max(most_levels, levels_of_curve(data, c).size());
   if (most_levels < levels_of_a_scale) {
-    conclude(fit, JointVerdict::too_few_levels,
+    conclude(fit, NoThreshold::too_few_levels,
              fmt::format("No curve has {} levels, so how steeply they fall would be assumed, not measured.",
                          levels_of_a_scale));
     return false;
   }
-  if (any_curve(fit, CurveVerdict::estimated)) return true;
-  if (every_curve(fit, CurveVerdict::never_wrong))
-    conclude(fit, JointVerdict::never_wrong,
+  if (any_estimated(fit)) return true;
+  if (every_never_wrong(fit))
+    conclude(fit, NoThreshold::never_wrong,
              "All answers are right, so nothing says at which level people cease to see.");
   else
-    conclude(fit, JointVerdict::only_guesses, "On no curve are answers right more often than by guessing.");
+    conclude(fit, NoThreshold::only_guesses, "On no curve are answers right more often than by guessing.");
   return false;
 }
 
 }  // namespace
 
-std::string_view word(JointVerdict verdict) {
-  switch (verdict) {
-    case JointVerdict::estimated:
-      return "estimated";
-    case JointVerdict::no_answers:
-      return "no answers";
-    case JointVerdict::one_participant:
-      return "one participant";
-    case JointVerdict::too_few_levels:
-      return "too few levels";
-    case JointVerdict::only_guesses:
-      return "only guesses";
-    case JointVerdict::never_wrong:
-      return "never wrong";
-    case JointVerdict::separated:
-      return "separated";
-    case JointVerdict::not_converged:
-      return "not converged";
-  }
-  return "";
-}
-
-std::string_view word(CurveVerdict verdict) {
-  switch (verdict) {
-    case CurveVerdict::estimated:
-      return "estimated";
-    case CurveVerdict::at_chance:
-      return "at chance";
-    case CurveVerdict::never_wrong:
-      return "never wrong";
-    case CurveVerdict::no_answers:
-      return "no answers";
-    case CurveVerdict::too_few_levels:
-      return "too few levels";
-    case CurveVerdict::separated:
-      return "separated";
-  }
-  return "";
+std::string_view verdict_text(JointVerdict verdict) {
+  return verdict ? sentence(*verdict) : "estimated";
 }
 
 JointFit fit_joint(const JointData& data, const JointSharing& sharing) {
@@ -214,7 +178,7 @@ JointFit fit_joint(const JointData& data, const JointSharing& sharing) {
   const JointCounts counts = all_counts(data);
   const std::optional<Eigen::VectorXd> top = maximise_joint(fit.model, counts);
   if (!top) {
-    conclude(fit, JointVerdict::not_converged, "No maximum of the likelihood was found.");
+    conclude(fit, NoThreshold::not_converged, "No maximum of the likelihood was found.");
     return fit;
   }
   fit.theta = *top;
@@ -224,18 +188,18 @@ JointFit fit_joint(const JointData& data, const JointSharing& sharing) {
   fit.hessian = at.hessian;
   const Eigen::LLT<Eigen::MatrixXd> factor(-fit.hessian);
   if (factor.info() != Eigen::Success) {
-    conclude(fit, JointVerdict::not_converged, "The likelihood is flat at its maximum.");
+    conclude(fit, NoThreshold::not_converged, "The likelihood is flat at its maximum.");
     return fit;
   }
   mark_steps(fit, counts);
-  if (!any_curve(fit, CurveVerdict::estimated))
-    conclude(fit, JointVerdict::separated,
+  if (!any_estimated(fit))
+    conclude(fit, NoThreshold::separated,
              "A step between two levels fits, so the answers do not say how steeply noticeability falls.");
   else if (fit.people < 2)
-    conclude(fit, JointVerdict::one_participant,
+    conclude(fit, NoThreshold::one_participant,
              "One participant says nothing of how people differ, so no interval over people can be given.");
   else
-    fit.verdict = JointVerdict::estimated;
+    fit.verdict.reset();
   return fit;
 }
 

@@ -6,49 +6,40 @@
 #include <vector>
 
 #include "analysis/joint/joint_likelihood.h"
+#include "stimuli/definition/methods/no_threshold.h"
 
 namespace seamline::analysis {
 
-/// What may be believed of a fit. After all but the first there are no numbers.
-enum class JointVerdict {
-  estimated,        ///< a maximum was found, and the answers say more of the scale than the penalty does
-  no_answers,       ///< of anybody at any level
-  one_participant,  ///< nothing is known of how people differ
-  too_few_levels,   ///< no curve with three levels: the scale would rest on the form assumed
-  only_guesses,     ///< nobody is right more often than by chance on any curve
-  never_wrong,      ///< all answers are right: nothing is known of not seeing
-  separated,        ///< a step fits: the answers do not say how steep
-  not_converged     ///< no maximum was found
-};
+/// What may be believed of a fit or of one of its curves. None: it is estimated (a maximum was found, and the
+/// answers say more of the scale than the penalty does). Else why there are no numbers:
+///
+///   - `no_answers`: of anybody at any level
+///   - `one_participant`: nothing is known of how people differ
+///   - `too_few_levels`: a scale of its own asks for three levels, a shared one for one curve with three
+///   - `only_guesses` (a fit), `at_chance` (a curve): right no more often than by chance
+///   - `never_wrong`: nothing is known of not seeing
+///   - `separated`: a step fits, and the answers do not say how steep
+///   - `not_converged`: no maximum was found
+using JointVerdict = std::optional<NoThreshold>;
 
-[[nodiscard]] std::string_view word(JointVerdict verdict);
-
-/// What is known of one curve of a fit that is `estimated`.
-enum class CurveVerdict {
-  estimated,
-  at_chance,    ///< right no more often than by chance: nothing was seen
-  never_wrong,  ///< always right: everything was seen
-  no_answers,
-  too_few_levels,  ///< a scale of its own asks for three levels, a shared one for two
-  separated        ///< its own scale is not identified
-};
-
-[[nodiscard]] std::string_view word(CurveVerdict verdict);
+/// "estimated", or why it is not.
+[[nodiscard]] std::string_view verdict_text(JointVerdict verdict);
 
 struct JointFit {
-  JointVerdict verdict = JointVerdict::no_answers;
-  std::string explanation;           ///< a sentence for every verdict but `estimated`
-  std::vector<CurveVerdict> curves;  ///< one a curve, also where the verdict is another
+  JointVerdict verdict = NoThreshold::no_answers;
+  std::string explanation;           ///< a sentence for every verdict
+  std::vector<JointVerdict> curves;  ///< one a curve, also where the fit has one
   JointModel model;
   int people = 0;
   double answers = 0;  ///< counted in `data.answers`
-  // Empty or NaN unless `estimated` (`one_participant` and `separated` have theta, for the curious only):
+  // Empty or NaN unless estimated (`one_participant` and `separated` have theta, for the curious only):
   Eigen::VectorXd theta;
   double log_likelihood = 0;  ///< at theta, without penalty
   double penalised = 0;       ///< what is greatest at theta
   Eigen::MatrixXd hessian;    ///< of `penalised`, exact
 
-  [[nodiscard]] bool estimated() const { return verdict == JointVerdict::estimated; }
+  [[nodiscard]] bool estimated() const { return !verdict; }
+  [[nodiscard]] bool estimated(int curve) const { return !curves[static_cast<std::size_t>(curve)]; }
 };
 
 /// The maximum of likelihood and penalty: thresholds from a grid for each of a few scales and rating

@@ -197,7 +197,7 @@ JointFit fit_placed(const JointData& data, const JointSharing& sharing) {
   fit.model = problem.model;
   const bool peak = best && Eigen::LLT<Eigen::MatrixXd>(-best->evaluation.hessian).info() == Eigen::Success;
   if (!peak) {
-    fit.verdict = JointVerdict::not_converged;
+    fit.verdict = NoThreshold::not_converged;
     fit.explanation = "No maximum of the likelihood was found.";
     return fit;
   }

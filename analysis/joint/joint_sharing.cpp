@@ -166,7 +166,7 @@ const SharingTest* most_refused(const std::vector<SharingTest>& tests) {
 
 /// How many curves have numbers.
 std::ptrdiff_t numbers_of(const JointFit& fit) {
-  return std::count(fit.curves.begin(), fit.curves.end(), CurveVerdict::estimated);
+  return std::count(fit.curves.begin(), fit.curves.end(), std::nullopt);
 }
 
 }  // namespace

@@ -58,47 +58,6 @@ RoughPlace rough_place(const JointFit& fit, const JointJackknife& left_out, int 
   return rough;
 }
 
-std::optional<NoThreshold> reason_of(JointVerdict verdict) {
-  switch (verdict) {
-    case JointVerdict::estimated:
-      return std::nullopt;
-    case JointVerdict::no_answers:
-      return NoThreshold::no_answers;
-    case JointVerdict::one_participant:
-      return NoThreshold::one_participant;
-    case JointVerdict::too_few_levels:
-      return NoThreshold::too_few_levels;
-    case JointVerdict::only_guesses:
-      return NoThreshold::only_guesses;
-    case JointVerdict::never_wrong:
-      return NoThreshold::never_wrong;
-    case JointVerdict::separated:
-      return NoThreshold::separated;
-    case JointVerdict::not_converged:
-      return NoThreshold::not_converged;
-  }
-  return std::nullopt;
-}
-
-/// Why a curve has no numbers: its own reason before that of the whole fit.
-std::optional<NoThreshold> reason_without_numbers(const JointFit& fit, int curve) {
-  switch (fit.curves[curve]) {
-    case CurveVerdict::estimated:
-      return reason_of(fit.verdict);
-    case CurveVerdict::at_chance:
-      return NoThreshold::at_chance;
-    case CurveVerdict::never_wrong:
-      return NoThreshold::never_wrong;
-    case CurveVerdict::no_answers:
-      return NoThreshold::no_answers;
-    case CurveVerdict::too_few_levels:
-      return NoThreshold::too_few_levels;
-    case CurveVerdict::separated:
-      return NoThreshold::separated;
-  }
-  return std::nullopt;
-}
-
 /// The largest gap between neighbouring levels.
 double largest_gap(const std::vector<double>& levels) {
   double gap = 0;
@@ -232,9 +191,10 @@ void write_pointwise(const JointFit& fit, const JointData& data, const JointJack
 
 RoughPlace known_place(const JointFit& fit, const JointJackknife& left_out, int curve, JointQuantity quantity,
                        double t) {
-  if (fit.estimated() && fit.curves[curve] == CurveVerdict::estimated)
-    return rough_place(fit, left_out, curve, quantity, t);
-  return {.place = {}, .standard_error = nan, .reason = reason_without_numbers(fit, curve)};
+  if (fit.estimated() && fit.estimated(curve)) return rough_place(fit, left_out, curve, quantity, t);
+  // A curve's own reason before that of the whole fit.
+  return {
+      .place = {}, .standard_error = nan, .reason = fit.estimated(curve) ? fit.verdict : fit.curves[curve]};
 }
 
 double pointwise_t(const JointFit& fit) {

@@ -41,7 +41,7 @@ struct JointThreshold {
 /// Every quantity of every curve: quantities run fastest. IP: estimate -+ t standard errors. A threshold has
 /// no number, but a reason,
 ///
-///   - where the curve has none (CurveVerdict), or the fit has no numbers (JointVerdict)
+///   - where the curve or the fit has no numbers (JointVerdict)
 ///   - `guess_floor`: the floor of PT or SN with its uncertainty (one-sided 97.5 %) reaches the level
 ///   - `open_hardest`, `open_easiest`, `open_both`: it lies further beyond the levels tested than the largest
 ///     gap between them, or its interval does not exclude that

@@ -182,9 +182,7 @@ void add_group_shifts(const Analysis& analysis, const Grouping& grouping,
     df = std::min(df, jackknife_degrees(left_out.theta * contrast.weights, group_of_row));
     family.contrasts.push_back(std::move(contrast));
   };
-  const auto known = [&](int group, int curve) {
-    return fit.curves[static_cast<std::size_t>(group * curves + curve)] == CurveVerdict::estimated;
-  };
+  const auto known = [&](int group, int curve) { return fit.estimated(group * curves + curve); };
   for (int a = 0; a < groups; ++a)
     for (int b = a + 1; b < groups; ++b) {
       std::vector<int> both;

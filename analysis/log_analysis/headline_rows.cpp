@@ -89,7 +89,7 @@ std::vector<HeadlineRow> rows_of_curve(const Analysis& analysis, int curve,
 /// A curve that falls between two tested levels; empty where the levels lie closely enough.
 std::string note_on_gap(const Analysis& analysis, int curve) {
   const JointFit& fit = analysis.joint->fit;
-  if (fit.curves[curve] != CurveVerdict::estimated) return "";
+  if (!fit.estimated(curve)) return "";
   const ArtifactScores& scores = analysis.data.artifacts[curve];
   const JointCurve at = curve_at(fit.model, fit.theta, curve);
   const auto [low, high] = neighbours_of(levels_on_axis(scores), at.m);

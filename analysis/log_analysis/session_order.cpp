@@ -208,10 +208,9 @@ Contrast half_contrast(const JointModel& model, const std::string& of, const std
 /// Curves that have a threshold in both halves.
 std::vector<int> curves_of_both_halves(const JointFit& fit) {
   std::vector<int> both;
-  const auto curves = static_cast<std::size_t>(fit.model.curves) / 2;
-  for (std::size_t c = 0; c < curves; ++c)
-    if (fit.curves[c] == CurveVerdict::estimated && fit.curves[curves + c] == CurveVerdict::estimated)
-      both.push_back(static_cast<int>(c));
+  const int curves = fit.model.curves / 2;
+  for (int c = 0; c < curves; ++c)
+    if (fit.estimated(c) && fit.estimated(curves + c)) both.push_back(c);
   return both;
 }
 

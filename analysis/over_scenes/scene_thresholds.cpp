@@ -73,7 +73,7 @@ ThresholdOverScenes over_scenes(const SceneFit& of, JointQuantity quantity) {
   for (Eigen::Index s = 0; s < scenes; ++s) {
     const auto curve = static_cast<int>(s);
     const JointThreshold threshold = joint_threshold(of.fit, of.curves.data, of.left_out, curve, quantity);
-    const bool known = of.fit.curves[s] == CurveVerdict::estimated;
+    const bool known = of.fit.estimated(curve);
     const std::optional<JointPlace> place =
         known ? place_of(of.fit.model, of.fit.theta, curve, quantity) : std::nullopt;
     if (place) {

@@ -172,27 +172,27 @@ TEST(JointFit, LeavingAPersonOutIsNearlyFittingWithoutThem) {
 
 TEST(JointVerdicts, OfAnswersThatSayNothing) {
   test::JointAnswers people;
-  EXPECT_EQ(fit_joint(test::empty_answers(people)).verdict, JointVerdict::no_answers);
+  EXPECT_EQ(fit_joint(test::empty_answers(people)).verdict, NoThreshold::no_answers);
 
   people.people = 1;
-  EXPECT_EQ(fit_joint(test::draw_answers(people, 1)).verdict, JointVerdict::one_participant);
+  EXPECT_EQ(fit_joint(test::draw_answers(people, 1)).verdict, NoThreshold::one_participant);
 
   people.people = 20;
   people.levels = {7, 10};
-  EXPECT_EQ(fit_joint(test::draw_answers(people, 1)).verdict, JointVerdict::too_few_levels);
+  EXPECT_EQ(fit_joint(test::draw_answers(people, 1)).verdict, NoThreshold::too_few_levels);
 
   people = {};
   people.m = {-100, -100, -100, -100};
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     const JointFit guessers = fit_joint(test::draw_answers(people, seed));
-    EXPECT_EQ(guessers.verdict, JointVerdict::only_guesses) << word(guessers.verdict);
+    EXPECT_EQ(guessers.verdict, NoThreshold::only_guesses) << verdict_text(guessers.verdict);
     EXPECT_EQ(guessers.theta.size(), 0);
   }
 
   people = {};
   people.m = {100, 100, 100, 100};
   people.shape.lapse = 0;
-  EXPECT_EQ(fit_joint(test::draw_answers(people, 1)).verdict, JointVerdict::never_wrong);
+  EXPECT_EQ(fit_joint(test::draw_answers(people, 1)).verdict, NoThreshold::never_wrong);
 }
 
 TEST(JointVerdicts, AStepIsSeparated) {
@@ -201,7 +201,7 @@ TEST(JointVerdicts, AStepIsSeparated) {
   people.shape.lapse = 0;
   people.m = {8.5, 7.5, 9.5, 9.5};
   const JointFit fit = fit_joint(test::draw_answers(people, 1));
-  EXPECT_EQ(fit.verdict, JointVerdict::separated) << word(fit.verdict);
+  EXPECT_EQ(fit.verdict, NoThreshold::separated) << verdict_text(fit.verdict);
   EXPECT_FALSE(fit.explanation.empty());
 }
 
@@ -214,9 +214,9 @@ TEST(JointVerdicts, ACurveWithoutAnswersLeavesTheOthersTheirs) {
   data.answers.middleCols(2 * width, 2 * data.cell_counts()).setZero();
   const JointFit fit = fit_joint(data);
   ASSERT_TRUE(fit.estimated());
-  EXPECT_EQ(fit.curves[1], CurveVerdict::no_answers);
-  EXPECT_EQ(fit.curves[0], CurveVerdict::estimated);
-  EXPECT_EQ(fit.curves[2], CurveVerdict::estimated);
+  EXPECT_EQ(fit.curves[1], NoThreshold::no_answers);
+  EXPECT_EQ(fit.curves[0], std::nullopt);
+  EXPECT_EQ(fit.curves[2], std::nullopt);
 }
 
 TEST(JointVerdicts, BadTablesAreRefusedByName) {

@@ -109,10 +109,10 @@ TEST(JointMaxima, AreThoseFoundIndependently) {
 }
 
 /// By how a kind of set was made.
-const std::map<std::string, JointVerdict> verdict_of_kind = {{"huge", JointVerdict::estimated},
-                                                             {"all right", JointVerdict::never_wrong},
-                                                             {"two levels", JointVerdict::too_few_levels},
-                                                             {"all guess", JointVerdict::only_guesses}};
+const std::map<std::string, JointVerdict> verdict_of_kind = {{"huge", std::nullopt},
+                                                             {"all right", NoThreshold::never_wrong},
+                                                             {"two levels", NoThreshold::too_few_levels},
+                                                             {"all guess", NoThreshold::only_guesses}};
 
 /// What such sets cannot say gets a verdict and no numbers.
 TEST(JointMaxima, OfSetsThatSayNothingHaveAVerdict) {

@@ -50,16 +50,16 @@ constexpr const char* pair_of_repetitions = "[task]\nkind = \"pair\"\nrepetition
 
 TEST(TaskReport, TwoPeopleWhoSeeAreNotSaidToBeAtChance) {
   const auto seeing = task_study(pair_of_repetitions, study::ObserverKind::threshold, 2);
-  for (const CurveVerdict verdict : seeing->analysis.joint->fit.curves)
-    EXPECT_EQ(verdict, CurveVerdict::estimated) << word(verdict);
+  for (const JointVerdict verdict : seeing->analysis.joint->fit.curves)
+    EXPECT_EQ(verdict, std::nullopt) << verdict_text(verdict);
   const auto guessing = task_study(pair_of_repetitions, study::ObserverKind::guesser, 2);
-  for (const CurveVerdict verdict : guessing->analysis.joint->fit.curves)
-    EXPECT_EQ(verdict, CurveVerdict::at_chance) << word(verdict);
+  for (const JointVerdict verdict : guessing->analysis.joint->fit.curves)
+    EXPECT_EQ(verdict, NoThreshold::at_chance) << verdict_text(verdict);
   // A few reference trials say nothing of the chance of a forced choice.
   const auto with_references = task_study("[catch]\nreference = 1\n" + std::string(pair_of_repetitions),
                                           study::ObserverKind::threshold, 2);
-  for (const CurveVerdict verdict : with_references->analysis.joint->fit.curves)
-    EXPECT_EQ(verdict, CurveVerdict::estimated) << word(verdict);
+  for (const JointVerdict verdict : with_references->analysis.joint->fit.curves)
+    EXPECT_EQ(verdict, std::nullopt) << verdict_text(verdict);
 }
 
 TEST(TaskReport, AnIntervalThatIsOpenOnOneSideIsShownAndSaysWhatToAdd) {

@@ -23,7 +23,7 @@ bool has_numbers(const Analysis& analysis) {
 
 /// Whether a curve of a fit with numbers has its own.
 bool has_curve(const JointAnalysis& joint, std::size_t curve) {
-  return joint.fit.curves[curve] == CurveVerdict::estimated;
+  return joint.fit.estimated(static_cast<int>(curve));
 }
 
 std::string model_block(const JointAnalysis& joint, std::size_t index) {

@@ -105,7 +105,7 @@ Json headline_json(const Analysis& analysis, const std::vector<const HeadlineRow
 /// What the joint model was fitted to and how well it fits.
 Json joint_json(const JointAnalysis& joint) {
   Json json;
-  json["verdict"] = word(joint.fit.verdict);
+  json["verdict"] = verdict_text(joint.fit.verdict);
   json["explanation"] = joint.fit.explanation.empty() ? Json(nullptr) : Json(joint.fit.explanation);
   json["participants"] = joint.fit.people;
   json["answers"] = json_number(joint.fit.answers);
