@@ -11,6 +11,7 @@
 
 #include "stimuli/definition/looks/condition_tasks.h"
 #include "stimuli/definition/moving/clip_definition.h"
+#include "stimuli/definition/views/look_definition.h"
 
 namespace seamline::inline stimuli {
 namespace {
