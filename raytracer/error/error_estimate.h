@@ -43,6 +43,15 @@ struct HalfPictures {
 [[nodiscard]] ErrorEstimate estimate_error(const HalfPictures& pictures, double exposure_ev, int threads,
                                            bool panorama = false);
 
+/// The noise that `estimate_error` finds in a block. `gain`: radiance to display values.
+[[nodiscard]] double block_noise(const std::array<Image, 2>& halves, const Image& whole,
+                                 const BlockGrid& blocks, int block, float gain);
+/// Its bias.
+[[nodiscard]] double block_bias(const std::array<Image, 2>& filtered, const std::array<Image, 2>& sampled,
+                                const BlockGrid& blocks, int block, float gain);
+/// Those of tiles and picture from those of the blocks.
+[[nodiscard]] ErrorEstimate error_of_blocks(std::vector<SquaredError> of_blocks, const BlockGrid& blocks);
+
 /// By how much the squared error of pixels with rare bright samples is larger than what those say that have
 /// had one. `speck`: what one adds to the whole, in units of display white. When all rates are alike likely
 /// (log-uniform, a Poisson number of specks in each half) the true squared error, summed over all pixels, is

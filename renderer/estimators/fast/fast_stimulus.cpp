@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "raytracer/error/refined_errors.h"
+#include "renderer/estimators/fast/changed_tiles.h"
 #include "renderer/estimators/fast/next_round.h"
 #include "renderer/estimators/fast/object_noise.h"
 #include "renderer/estimators/fast/sample_response.h"
@@ -45,7 +47,8 @@ class StimulusRounds {
                              truth.geometry.truth.is_glossy() || truth.geometry.object.is_glossy() ||
                                  (depth.mesh != nullptr && depth.mesh->is_glossy()))),
         shows_object_(pixels_with_object()),
-        filtered_(static_cast<std::size_t>(depth_.grid.count()), 1) {
+        filtered_(static_cast<std::size_t>(depth_.grid.count()), 1),
+        errors_(truth.scene.definition.exposure_ev, depth_.grid.wraps) {
     const bool order_differs = recipe.answers.occlusion == Who::depth && !truth.sorted_by_depth;
     if (order_differs)
       order_ = ask_order(truth.scene, truth.scene_sums, truth.object_index, truth.geometry.object, depth,
@@ -60,8 +63,11 @@ class StimulusRounds {
     for (int round = 0;; ++round) {
       ask_depth(sampler_, wanted, shows_object_, options_.threads, round == 0 ? options_.progress : nullptr,
                 depth_);
-      out.sums = {};  // the round before's: one at a time in memory
-      out.sums = assembled(filters());
+      if (round == 0)
+        out.sums = assemble_stimulus(sources(), filters(), options_.threads);
+      else
+        assemble_again(sources(), filters(), changes_.since(depth_, filtered_), options_.threads, out.sums);
+      changes_.take(depth_, filtered_);
       if (options_.decision != nullptr && !options_.judges) break;
       const Judged judged = judge(out.sums, looks_for_bias, round);
       looks_for_bias = judged.knows_bias;
@@ -162,7 +168,7 @@ class StimulusRounds {
       if (wanted.object[b] == 0) wanted.object[b] = first_object_samples(b);
     }
     ask_depth(sampler_, wanted, shows_object_, options_.threads, nullptr, depth_);
-    return assembled(filters());
+    return assemble_stimulus(sources(), filters(), options_.threads);
   }
 
   [[nodiscard]] SamplesTaken taken() const {
@@ -284,15 +290,13 @@ class StimulusRounds {
   [[nodiscard]] DepthFilters filters() const {
     return {.ratio = choices_.ratio_filter, .object = options_.filter, .tiles = filtered_};
   }
-  [[nodiscard]] static DepthFilters no_filters() {
-    return {.ratio = no_filter, .object = no_filter, .tiles = {}};
-  }
-
-  [[nodiscard]] StimulusSums assembled(const DepthFilters& filters,
-                                       std::optional<std::size_t> only_half = {}) const {
-    return assemble_stimulus({truth_, recipe_, depth_, order_, sampler_.is_dark_layer(),
-                              options_.compositing.value_or(sampler_.compositing())},
-                             filters, options_.threads, only_half);
+  [[nodiscard]] StimulusSources sources() const {
+    return {truth_,
+            recipe_,
+            depth_,
+            order_,
+            sampler_.is_dark_layer(),
+            options_.compositing.value_or(sampler_.compositing())};
   }
 
   struct Judged {
@@ -310,31 +314,28 @@ class StimulusRounds {
   /// is looked for when the noise is low enough, or with `look_for_bias`: it takes twice as long, and needs
   /// samples itself.
   [[nodiscard]] Judged judge(const StimulusSums& made, bool look_for_bias, int round) {
-    HalfPictures pictures;
     for (std::size_t half = 0; half < 2; ++half)
-      pictures.filtered[half] = as_shown(compose_half(made, half, options_.threads).picture);
-    pictures.whole = as_shown(compose(made, made.compositing, options_.threads).picture);
+      errors_.take_filtered(half, as_shown(compose_half(made, half, options_.threads).picture));
+    errors_.take_whole(as_shown(compose(made, made.compositing, options_.threads).picture));
     const bool filtered = !depth_.guides.empty() || recipe_.answers.bounce == Who::depth;
     if (!filtered || !look_for_bias) {
-      pictures.sampled = pictures.filtered;
-      ErrorEstimate noise = with_bias_of_truth(pictures);
+      ErrorEstimate noise = with_bias_of_truth(errors_.of_filtered(false, options_.threads));
       if (!filtered) {
-        keep(pictures);
+        keep(false);
         return {{std::move(noise), {}}, true};
       }
       if (!good_enough(noise) && !may_be_wells(made, noise, round)) return {{std::move(noise), {}}, false};
     }
     for (std::size_t half = 0; half < 2; ++half) {  // one at a time in memory
-      StimulusSums sampled = assembled(no_filters(), half);
+      StimulusSums sampled = assemble_half_as_sampled(sources(), made, half, options_.threads);
       if (made.compositing == Compositing::ratio) divide_alike(made.halves[half], sampled.halves[half]);
       sampled.light_as_sampled[half] = made.light_as_sampled[half];
-      pictures.sampled[half] = as_shown(compose_half(sampled, half, options_.threads).picture);
+      errors_.take_sampled(half, as_shown(compose_half(sampled, half, options_.threads).picture));
     }
-    keep(pictures);
-    ErrorEstimate error = with_bias_of_truth(pictures);
-    pictures.filtered = pictures.sampled;
-    pictures.whole = {};  // nobody has put it together
-    return {{std::move(error), with_bias_of_truth(pictures)}, true};
+    keep(true);
+    return {{with_bias_of_truth(errors_.of_filtered(true, options_.threads)),
+             with_bias_of_truth(errors_.of_sampled(options_.threads))},
+            true};
   }
 
   /// Errors are of what people see.
@@ -342,13 +343,11 @@ class StimulusRounds {
     return shown_to_each_eye(truth_.scene.definition.view, std::move(picture));
   }
 
-  void keep(const HalfPictures& pictures) {
-    if (options_.keeps_pictures) kept_ = pictures;
+  void keep(bool with_sampled) {
+    if (options_.keeps_pictures) kept_ = errors_.pictures(with_sampled);
   }
 
-  [[nodiscard]] ErrorEstimate with_bias_of_truth(const HalfPictures& pictures) const {
-    ErrorEstimate error =
-        estimate_error(pictures, truth_.scene.definition.exposure_ev, options_.threads, depth_.grid.wraps);
+  [[nodiscard]] ErrorEstimate with_bias_of_truth(ErrorEstimate error) const {
     error.image.bias = std::max(0.0, error.image.bias) + std::max(0.0, truth_.error.image.bias);
     for (std::size_t t = 0; t < error.tiles.size(); ++t)
       error.tiles[t].bias = std::max(0.0, error.tiles[t].bias) + std::max(0.0, truth_.error.tiles[t].bias);
@@ -365,6 +364,8 @@ class StimulusRounds {
   std::vector<char> shows_object_;  ///< a flag a pixel
   TileSet filtered_;                ///< tiles where light of the depth mesh is filtered
   SampleResponse response_;
+  ChangedTiles changes_;
+  RefinedErrors errors_;
   HalfPictures kept_;  ///< of the last judgement
 };
 

@@ -5,7 +5,8 @@
 
 namespace seamline::renderer {
 
-/// Bounce light after filtering, row by row; empty where nothing was filtered.
+/// Bounce light after filtering, row by row; empty where nothing was filtered. It is right in the tiles that
+/// were asked for.
 struct FilteredBounce {
   std::vector<Surface> surfaces;
   std::vector<BounceTexel> texels;
@@ -25,11 +26,14 @@ struct FilteredBounce {
 
 /// Light off the object that the depth mesh has a part in; empty for a strength of no levels. `guides` become
 /// its surfaces. `filtered`: the tiles that are shown filtered; empty: all are, or all lend what they have.
+/// `tiles`: those asked for.
 [[nodiscard]] FilteredBounce filtered_uncovered(const ObjectTruth& truth, const DepthAnswers& depth,
                                                 const FilterStrength& strength, const TileSet& filtered,
-                                                int threads, std::vector<Guide>& guides);
+                                                const TileSet& tiles, int threads,
+                                                std::vector<Guide>& guides);
 /// Bounce light of the depth mesh on the object.
 [[nodiscard]] FilteredBounce filtered_object(const ObjectTruth& truth, const DepthAnswers& depth,
-                                             const FilterStrength& strength, int threads);
+                                             const FilterStrength& strength, const TileSet& tiles,
+                                             int threads);
 
 }  // namespace seamline::renderer

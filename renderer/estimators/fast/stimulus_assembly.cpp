@@ -208,55 +208,139 @@ class Assembly {
 
 }  // namespace
 
-StimulusSums assemble_stimulus(const StimulusSources& sources, const DepthFilters& filters, int threads,
-                               std::optional<std::size_t> only_half) {
+namespace {
+
+/// What all parts of a stimulus have in common; its pixels are empty.
+StimulusSums empty_sums(const StimulusSources& sources) {
   const TruthSums& truth = sources.truth.truth_sums;
   StimulusSums out{.width_px = truth.width_px, .height_px = truth.height_px, .spp = truth.spp};
-  for (std::size_t half = 0; half < 2; ++half)
-    if (half == only_half.value_or(half)) out.halves[half].resize(truth.guides.size());
-  out.guides = truth.guides;
   out.wraps = sources.depth.grid.wraps;
   out.depth_lights_uncovered = depth_lights_uncovered(sources.recipe.answers) && !sources.dark_layer;
   out.compositing = sources.compositing;
   out.rays = sources.depth.counts.traced;
-  const Assembly assembly(sources);
-  const FilteredBounce unfiltered;
-  const auto each_pixel = [&](bool object_only, const auto& add) {
-    parallel_for(truth.height_px, threads, [&](int y) {
-      for (int x = 0; x < truth.width_px; ++x) {
-        const auto tile = static_cast<std::size_t>(sources.truth.scene_sums.grid.square_of(x, y));
-        if (object_only && !assembly.has_object(tile)) continue;
-        const bool is_filtered = filters.tiles.empty() || filters.tiles[tile] != 0;
-        for (std::size_t half = 0; half < 2; ++half)
-          if (!out.halves[half].empty()) add(x, y, half, is_filtered);
-      }
-    });
-  };
-  {  // one after the other: each takes a hundred bytes a pixel
-    const bool on_object =
-        sources.recipe.answers.bounce == Who::depth && sources.recipe.keep != Keep::all_but_object;
+  return out;
+}
+
+/// Puts some tiles of a stimulus together, in the halves that it has; the others stay as they are.
+class TilesAssembly {
+ public:
+  TilesAssembly(const StimulusSources& sources, const DepthFilters& filters, const TileSet& tiles,
+                int threads, StimulusSums& out)
+      : sources_(sources),
+        filters_(filters),
+        tiles_(tiles),
+        threads_(threads),
+        assembly_(sources),
+        out_(out) {}
+
+  void empty() {
+    each_pixel(false, [&](std::size_t i, int, int, std::size_t half, bool) { out_.halves[half][i] = {}; });
+  }
+  /// A hundred bytes a pixel until it ends.
+  void add_object() {
     FilteredBounce object;
-    if (on_object && filters.object.levels > 0)
-      object = filtered_object(sources.truth, sources.depth, filters.object, threads);
-    each_pixel(true, [&](int x, int y, std::size_t half, bool is_filtered) {
-      assembly.add_object(x, y, half, is_filtered ? object : unfiltered, out.halves[half][truth.index(x, y)]);
+    const bool on_object =
+        sources_.recipe.answers.bounce == Who::depth && sources_.recipe.keep != Keep::all_but_object;
+    if (on_object && filters_.object.levels > 0)
+      object = filtered_object(sources_.truth, sources_.depth, filters_.object, tiles_, threads_);
+    each_pixel(true, [&](std::size_t i, int x, int y, std::size_t half, bool is_filtered) {
+      assembly_.add_object(x, y, half, is_filtered ? object : unfiltered_, out_.halves[half][i]);
     });
   }
-  FilteredBounce uncovered;
-  // Sky alone, all that is filtered where the truth answers bounce light, does not gather in wells.
-  const bool has_wells = out.depth_lights_uncovered && sources.recipe.answers.bounce == Who::depth;
-  if (!sources.depth.guides.empty())
-    uncovered = filtered_uncovered(sources.truth, sources.depth, filters.ratio,
-                                   has_wells ? filters.tiles : TileSet{}, threads, out.guides);
-  if (sources.recipe.keep == Keep::object_only) return out;
-  const bool sealed_in = has_wells && !uncovered.texels.empty();
-  for (std::size_t half = 0; half < 2; ++half)
-    if (sealed_in) out.light_as_sampled[half].resize(out.halves[half].size());
-  each_pixel(false, [&](int x, int y, std::size_t half, bool is_filtered) {
-    const std::size_t i = truth.index(x, y);
-    assembly.add_uncovered(x, y, half, is_filtered ? uncovered : unfiltered, out.halves[half][i],
-                           sealed_in ? &out.light_as_sampled[half][i] : nullptr);
-  });
+  /// Likewise. With `guides_are_known` those of the sums are let be.
+  void add_uncovered(bool guides_are_known) {
+    FilteredBounce uncovered;
+    if (!sources_.depth.guides.empty() && !(guides_are_known && filters_.ratio.levels == 0))
+      uncovered = filtered_uncovered(sources_.truth, sources_.depth, filters_.ratio, lending(), tiles_,
+                                     threads_, out_.guides);
+    if (sources_.recipe.keep == Keep::object_only) return;
+    const bool sealed_in = has_wells() && !uncovered.texels.empty();
+    for (std::size_t half = 0; half < 2; ++half)
+      if (sealed_in) out_.light_as_sampled[half].resize(out_.halves[half].size());
+    each_pixel(false, [&](std::size_t i, int x, int y, std::size_t half, bool is_filtered) {
+      assembly_.add_uncovered(x, y, half, is_filtered ? uncovered : unfiltered_, out_.halves[half][i],
+                              sealed_in ? &out_.light_as_sampled[half][i] : nullptr);
+    });
+  }
+
+ private:
+  /// Sky alone, all that is filtered where the truth answers bounce light, does not gather in wells.
+  [[nodiscard]] bool has_wells() const {
+    return out_.depth_lights_uncovered && sources_.recipe.answers.bounce == Who::depth;
+  }
+  [[nodiscard]] TileSet lending() const { return has_wells() ? filters_.tiles : TileSet{}; }
+
+  template <class Add>
+  void each_pixel(bool object_only, const Add& add) const {
+    const TileGrid& grid = sources_.depth.grid;
+    parallel_for(grid.count(), threads_, [&](int number) {
+      const auto tile = static_cast<std::size_t>(number);
+      if (tiles_[tile] == 0 || (object_only && !assembly_.has_object(tile))) return;
+      const bool is_filtered = filters_.tiles.empty() || filters_.tiles[tile] != 0;
+      const TileGrid::Rectangle r = grid.rectangle(number);
+      for (int y = r.top; y < r.bottom; ++y)
+        for (int x = r.left; x < r.right; ++x)
+          for (std::size_t half = 0; half < 2; ++half)
+            if (!out_.halves[half].empty()) add(grid.index(x, y), x, y, half, is_filtered);
+    });
+  }
+
+  const StimulusSources& sources_;
+  const DepthFilters& filters_;
+  const TileSet& tiles_;
+  int threads_;
+  Assembly assembly_;
+  FilteredBounce unfiltered_;
+  StimulusSums& out_;
+};
+
+TileSet all_tiles(const TileGrid& grid) {
+  return TileSet(static_cast<std::size_t>(grid.count()), 1);
+}
+
+/// Whether a filter's light comes from the tile itself and the eight around it, with what it is divided by.
+bool stays_beside(const FilterStrength& strength) {
+  return 2 * filter_radius_px(strength) <= TileGrid::side_px;
+}
+
+}  // namespace
+
+StimulusSums assemble_stimulus(const StimulusSources& sources, const DepthFilters& filters, int threads) {
+  StimulusSums out = empty_sums(sources);
+  const TruthSums& truth = sources.truth.truth_sums;
+  for (auto& half : out.halves) half.resize(truth.guides.size());
+  out.guides = truth.guides;
+  const TileSet tiles = all_tiles(sources.depth.grid);
+  TilesAssembly assembly(sources, filters, tiles, threads, out);
+  assembly.add_object();
+  assembly.add_uncovered(false);
+  return out;
+}
+
+void assemble_again(const StimulusSources& sources, const DepthFilters& filters, const TileSet& changed,
+                    int threads, StimulusSums& sums) {
+  const TileGrid& grid = sources.depth.grid;
+  const bool near = stays_beside(filters.ratio) && stays_beside(filters.object);
+  // Light comes from a tile away, and whether a tile is filtered at all is asked of those a tile away from
+  // it.
+  const TileSet tiles = near ? with_neighbours(grid, with_neighbours(grid, changed)) : all_tiles(grid);
+  sums.rays = sources.depth.counts.traced;
+  TilesAssembly assembly(sources, filters, tiles, threads, sums);
+  assembly.empty();
+  assembly.add_object();
+  assembly.add_uncovered(false);
+}
+
+StimulusSums assemble_half_as_sampled(const StimulusSources& sources, const StimulusSums& made,
+                                      std::size_t half, int threads) {
+  StimulusSums out = empty_sums(sources);
+  out.halves[half].resize(made.halves[half].size());
+  out.guides = made.guides;
+  const TileSet tiles = all_tiles(sources.depth.grid);
+  const DepthFilters none{.ratio = no_filter, .object = no_filter, .tiles = {}};
+  TilesAssembly assembly(sources, none, tiles, threads, out);
+  assembly.add_object();
+  assembly.add_uncovered(true);
   return out;
 }
 

@@ -1,6 +1,4 @@
 #pragma once
-#include <optional>
-
 #include "renderer/estimators/fast/fast_depth_pass.h"
 #include "renderer/estimators/fast/object_truth.h"
 #include "renderer/picture/bounce_filter.h"
@@ -26,8 +24,17 @@ struct DepthFilters {
 
 /// Puts a stimulus together from the truth's sums and the depth mesh's answers, pixel by pixel: the
 /// formula of documentation/developers/design.md, section 2, with sums of samples that truth and depth mesh
-/// sort alike. With `only_half` (0 or 1) the other half stays empty.
+/// sort alike.
 [[nodiscard]] StimulusSums assemble_stimulus(const StimulusSources& sources, const DepthFilters& filters,
-                                             int threads, std::optional<std::size_t> only_half = {});
+                                             int threads);
+
+/// Makes of an earlier round's sums what `assemble_stimulus` would make anew, bit for bit. `changed`: the
+/// tiles whose answers, whose filter or whose lent samples (`sample_shares_of_tiles`) are not what they were.
+void assemble_again(const StimulusSources& sources, const DepthFilters& filters, const TileSet& changed,
+                    int threads, StimulusSums& sums);
+
+/// One half (0 or 1) of `made` without any filter; the other half is empty.
+[[nodiscard]] StimulusSums assemble_half_as_sampled(const StimulusSources& sources, const StimulusSums& made,
+                                                    std::size_t half, int threads);
 
 }  // namespace seamline::renderer
