@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "raytracer/error/refined_errors.h"
 #include "raytracer/error/sampling_rounds.h"
 #include "renderer/picture/bounce_filter.h"
 #include "support/arithmetic/random.h"
@@ -41,6 +42,39 @@ TEST(ErrorEstimate, FindsPlantedNoiseAndBias) {
 TEST(ErrorEstimate, WithoutBiasItIsZeroOnAverage) {
   const ErrorEstimate estimate = estimate_error(planted(0.01, 0.05, 0.0), 0.0, 1);
   EXPECT_NEAR(estimate.image.bias, 0.0, 4 * 0.05 * 0.05 / std::sqrt(128.0 * 96 * 3));
+}
+
+/// A block after another changes in one picture or another: the errors are those of all pictures anew.
+TEST(RefinedErrors, AreThoseOfTheWholePicturesAnew) {
+  HalfPictures now = planted(0.01, 0.05, 0.004);
+  now.whole = now.filtered[0];
+  RefinedErrors refined(0.5, false);
+  Random random(5);
+  const auto change = [&](Image& picture) {
+    picture.values[static_cast<std::size_t>(random.uniform() * static_cast<double>(picture.values.size()))] +=
+        0.1F;
+  };
+  const auto same = [](const ErrorEstimate& found, const ErrorEstimate& wanted) {
+    EXPECT_EQ(found.rmse(), wanted.rmse());
+    for (std::size_t b = 0; b < wanted.blocks.size(); ++b) {
+      ASSERT_EQ(found.blocks[b].noise, wanted.blocks[b].noise) << b;
+      ASSERT_EQ(found.blocks[b].bias, wanted.blocks[b].bias) << b;
+    }
+  };
+  for (int round = 0; round < 12; ++round) {
+    for (std::size_t half = 0; half < 2; ++half) refined.take_filtered(half, now.filtered[half]);
+    refined.take_whole(now.whole);
+    const bool looks_for_bias = round % 3 != 1;
+    if (looks_for_bias)
+      for (std::size_t half = 0; half < 2; ++half) refined.take_sampled(half, now.sampled[half]);
+    HalfPictures wanted = now;
+    if (!looks_for_bias) wanted.sampled = wanted.filtered;
+    same(refined.of_filtered(looks_for_bias, 2), estimate_error(wanted, 0.5, 1));
+    if (looks_for_bias)
+      same(refined.of_sampled(2), estimate_error({.filtered = now.sampled, .sampled = now.sampled}, 0.5, 1));
+    for (Image* picture : {&now.filtered[0], &now.filtered[1], &now.sampled[0], &now.sampled[1], &now.whole})
+      if (random.uniform() < 0.5) change(*picture);
+  }
 }
 
 /// Estimated and true squared error of a picture of 0.2 whose pixels have specks, at any rate alike.
