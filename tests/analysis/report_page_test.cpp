@@ -96,6 +96,18 @@ TEST(ReportPage, EveryFieldIsInTheDictionary) {
   }
 }
 
+TEST(ReportPage, OneCurveHasNothingToBeComparedWith) {
+  LogContents log = test::people_log(8, 4);
+  const std::string introduction = "Thresholds and slopes of the joint model.";
+  EXPECT_THAT(report_of(log).html, HasSubstr(introduction));
+  std::erase_if(log.answers, [](const Answer& answer) { return answer.artifact != Artifact::receiver; });
+  const Report report = report_of(std::move(log));
+  ASSERT_EQ(report.analysis.data.artifacts.size(), 1U);
+  ASSERT_TRUE(report.analysis.joint);
+  EXPECT_THAT(report.html, HasSubstr("The joint model has one curve, and nothing to compare it with."));
+  EXPECT_THAT(report.html, Not(HasSubstr(introduction)));
+}
+
 TEST(ReportPage, NumbersAreTheSameOnThePageInJsonAndInTheTerminal) {
   const Report report = report_of(test::people_log(12, 4));
   const Json tables = Json::parse(report_json(report.analysis, report.methods, report.tables))["tables"];

@@ -68,6 +68,9 @@ std::string joint_model_html(const Analysis& analysis, const std::vector<Figure>
 
 std::string joint_contrasts_html(const Analysis& analysis, const ReportNumbers& numbers) {
   if (!analysis.joint || analysis.adaptive) return "";
+  const JointContrasts& contrasts = analysis.joint->contrasts;
+  if (contrasts.tables.empty() && contrasts.notes.empty() && numbers.groups.empty())
+    return html_paragraph("The joint model has one curve, and nothing to compare it with.");
   const std::string unit = length_unit(analysis.data.axis);
   std::string html = fmt::format(
       "<p>Thresholds and slopes of the joint model. Thresholds differ by {}{}; slopes by a log ratio, 0.7 "
@@ -76,10 +79,10 @@ std::string joint_contrasts_html(const Analysis& analysis, const ReportNumbers& 
       "not the "
       "same as “no difference”.</p>\n",
       html_escape(unit), is_linear(analysis.data.axis) ? "" : " (1: twice the level)");
-  for (const std::string& note : analysis.joint->contrasts.notes) html += html_paragraph(note);
-  for (const ContrastTable& contrasts : analysis.joint->contrasts.tables)
-    html += contrast_table_html(contrasts,
-                                contrasts.question.find("lopes") != std::string::npos ? "log ratio" : unit);
+  for (const std::string& note : contrasts.notes) html += html_paragraph(note);
+  for (const ContrastTable& table : contrasts.tables)
+    html +=
+        contrast_table_html(table, table.question.find("lopes") != std::string::npos ? "log ratio" : unit);
   for (const GroupComparison& groups : numbers.groups) html += group_html(groups, unit);
   return html;
 }
