@@ -124,6 +124,8 @@ std::string other_kind(std::string_view start) {
 }  // namespace
 
 RawDepth read_raw_depth(const fs::path& path, const RawDepthForm& form, const AcceptRaw& accept) {
+  if (fs::is_directory(path))
+    throw wrong_file(path, "the file of one depth map (EXR, PNG, PGM, TIFF, PFM, NPY or DPT)", "a folder");
   if (!fs::is_regular_file(path)) throw wrong_file(path, "a depth map", "no such file");
   std::array<char, 8> block{};
   std::ifstream in(path, std::ios::binary);

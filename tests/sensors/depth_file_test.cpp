@@ -158,6 +158,8 @@ TEST_F(DepthFiles, EightBitsAndOtherKindsAreRefused) {
   EXPECT_EQ(complaint(write("empty", "")),
             "wanted an EXR, PNG, PGM (P5), TIFF, PFM, NPY or DPT file, found another kind of file");
   EXPECT_EQ(complaint(folder_ / "none.png"), "wanted a depth map, found no such file");
+  EXPECT_EQ(complaint(folder_.path()),
+            "wanted the file of one depth map (EXR, PNG, PGM, TIFF, PFM, NPY or DPT), found a folder");
   Image colours(file_width_px, file_height_px, 3, 1);
   colours.at(2, 1, 1) = 3;
   write_exr(folder_ / "3.exr", colours);
