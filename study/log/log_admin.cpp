@@ -65,7 +65,8 @@ std::string more(const ParticipantRecord& participant, const AnswerCounts& done)
                       minute_text(participant.last_seen_unix_s));
   if (participant.sessions > 1) text += fmt::format("  {} sessions", participant.sessions);
   if (participant.restarts > 0) text += "  began again " + counted(participant.restarts, "time");
-  if (participant.in_progress) text += "  in a session now";
+  if (participant.in_progress)
+    text += participant.completed ? "  the last page still open" : "  in a session now";
   return text;
 }
 

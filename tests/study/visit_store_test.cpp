@@ -15,6 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
+using testing::Not;
 
 TEST_F(VisitStoreTest, NobodyAnswersInTheFirstTenthOfASecond) {
   const auto minimum_viewing_ns = [&](double asked_s) {
@@ -157,10 +158,14 @@ TEST_F(VisitStoreTest, StatusSaysWhoHasDoneWhat) {
   {
     VisitStore store(set, path, {.code = "p01"});
     (void)run(store, store.begin(), person);
+    // Who has finished is in no session, though the window or the page is still open.
+    EXPECT_THAT(status_text(read_log(path)),
+                testing::AllOf(HasSubstr("the last page still open"), Not(HasSubstr("in a session"))));
     VisitStore pilot(set, path, {.code = "try", .pilot = true});
     (void)run(pilot, pilot.begin(), person, 2);
   }
   const std::string text = status_text(read_log(path));
+  EXPECT_THAT(text, Not(HasSubstr("still open")));
   for (const char* part :
        {"complete", "pilot", "unfinished", "order 0", "last seen 20", " of 1", "references 1"})
     EXPECT_THAT(text, HasSubstr(part));
