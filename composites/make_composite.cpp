@@ -336,6 +336,9 @@ void make_composite(const CompositeRequest& asked, const CompositeListener& list
     notes.say("no light reaches the objects: they are black");
   made.estimator = word(rendered.by);
   made.taken = rendered.estimate.taken;
+  if (!request.error && made.taken.most != request.spp)
+    notes.say(fmt::format("the fast estimator takes samples in pairs: {} a pixel, where {} {} was asked for",
+                          made.taken.most, request_name("spp"), request.spp));
   if (!rendered.estimate.error.tiles.empty()) {
     made.error = rendered.estimate.error.rmse();
     made.worst_tile = rendered.estimate.error.worst_tile();

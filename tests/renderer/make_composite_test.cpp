@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 using test::complaint_of;
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 /// A room 3 m around the camera, closed or open above, photographed as a panorama and as a view.
 class MakeComposite : public testing::Test {
@@ -338,6 +339,21 @@ TEST_F(MakeComposite, ASmallerWidthIsComparedWithAllDepthInTheReport) {
   request.layers.clear();
   ASSERT_EQ(said(request), "no complaint");
   EXPECT_THAT(read_file(folder_ / "report.html"), HasSubstr("PT: not noticed"));
+}
+
+TEST_F(MakeComposite, SaysHowManySamplesAPixelHasWhereThatIsNotWhatWasAsked) {
+  const auto notes = [&](Estimator estimator, int spp) {
+    CompositeRequest request = panorama();
+    request.estimator = estimator;
+    request.spp = spp;
+    std::string said;
+    make_composite(request, {.line = {}, .note = [&](const std::string& note) { said += note + "\n"; }});
+    return said;
+  };
+  EXPECT_THAT(notes(Estimator::fast, 1), HasSubstr("in pairs: 2 a pixel, where spp 1 was asked for"));
+  EXPECT_THAT(notes(Estimator::fast, 3), HasSubstr("in pairs: 2 a pixel, where spp 3 was asked for"));
+  EXPECT_THAT(notes(Estimator::fast, 2), Not(HasSubstr("in pairs")));
+  EXPECT_THAT(notes(Estimator::path, 1), Not(HasSubstr("in pairs")));
 }
 
 TEST_F(MakeComposite, SaysWhatAPhotographHasLost) {
