@@ -13,6 +13,7 @@
 #include "study/log/log_create.h"
 #include "study/log/log_tables.h"
 #include "support/files/assets.h"
+#include "support/text/printable.h"
 
 namespace seamline::study {
 namespace fs = std::filesystem;
@@ -23,14 +24,9 @@ struct OtherStudy : InputError {
   explicit OtherStudy(const InputError& error) : InputError(error) {}
 };
 
-void check_same(const fs::path& path, const char* field, const std::string& wanted,
-                const std::string& found) {
-  if (wanted == found) return;
-  throw OtherStudy(
-      input_error({.file = path.string(),
-                   .field = field,
-                   .wanted = wanted + " (one log holds one set of one study; name another log file)",
-                   .found = found}));
+/// A hash, and whose it is, in words that people know.
+std::string named_hash(const std::string& hash, const std::string& study, const std::string& set_folder) {
+  return fmt::format("{} of study \"{}\", set {}", hash, printable(study, 80), printable(set_folder));
 }
 
 }  // namespace
@@ -74,17 +70,19 @@ void enter_study(SQLite::Database& database, const RenderedSet& set) {
 
 /// Whose log it is.
 struct LogIdentity {
-  std::string study_hash, set_hash, set_folder, study_text;
+  std::string study_name, study_hash, set_hash, set_folder, study_text;
 };
 
 LogIdentity identity_of(SQLite::Database& database, const fs::path& path) {
-  SQLite::Statement row(database, "SELECT study_hash, set_hash, set_folder, study_text FROM study");
+  SQLite::Statement row(database,
+                        "SELECT study_name, study_hash, set_hash, set_folder, study_text FROM study");
   if (!row.executeStep())
     throw input_error({.file = path.string(), .field = "study", .wanted = "a study", .found = "none"});
-  return {.study_hash = row.getColumn(0).getString(),
-          .set_hash = row.getColumn(1).getString(),
-          .set_folder = row.getColumn(2).getString(),
-          .study_text = row.getColumn(3).getString()};
+  return {.study_name = row.getColumn(0).getString(),
+          .study_hash = row.getColumn(1).getString(),
+          .set_hash = row.getColumn(2).getString(),
+          .set_folder = row.getColumn(3).getString(),
+          .study_text = row.getColumn(4).getString()};
 }
 
 /// Trials name stimuli by their place in the manifest.
@@ -135,9 +133,18 @@ void claim_log(SQLite::Database& database, const fs::path& path, const RenderedS
   SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
   const LogIdentity log = identity_of(database, path);
   const bool is_other = log.study_hash != set.manifest.study_hash && is_set_but_observer(log, set);
+  const auto check = [&](const char* field, const std::string& wanted, const std::string& found) {
+    if (wanted == found) return;
+    throw OtherStudy(
+        input_error({.file = path.string(),
+                     .field = field,
+                     .wanted = named_hash(wanted, log.study_name, log.set_folder) +
+                               " (one log holds one set of one study; name another log file)",
+                     .found = named_hash(found, set.study.name, set.folder.string())}));
+  };
   if (!is_other) {
-    check_same(path, "study_hash", log.study_hash, set.manifest.study_hash);
-    check_same(path, "set_hash", log.set_hash, set.set_hash);
+    check("study_hash", log.study_hash, set.manifest.study_hash);
+    check("set_hash", log.set_hash, set.set_hash);
   }
   check_stimuli(database, path, set.manifest.stimuli);
   SQLite::Statement moved(database, "UPDATE study SET set_folder = ?");

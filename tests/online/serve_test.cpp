@@ -199,7 +199,10 @@ TEST_F(ServeTest, WhatDoesNotBelongTogetherIsNotServed) {
   EXPECT_THAT(said(wrong), HasSubstr("set: wanted the rendered set"));
   (void)write_set_of_text(folder / "other", online_study_text("64, 1024"));
   wrong.set = folder / "other";
-  EXPECT_THAT(said(wrong), HasSubstr("study_hash"));
+  const std::string other = said(wrong), name = "of study \"" + set.study.name + "\"";
+  EXPECT_THAT(other, testing::AllOf(HasSubstr("study_hash"),
+                                    HasSubstr(name + ", set " + wrong.set.string() + ", found")));
+  EXPECT_THAT(other.substr(other.find(", found")), HasSubstr(name));
   wrong = request;
   wrong.folder = folder / "nowhere";
   EXPECT_THAT(said(wrong), HasSubstr("wanted a folder that seamline export web wrote"));

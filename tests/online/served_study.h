@@ -23,6 +23,7 @@ inline std::filesystem::path write_site(const RenderedSet& set, const std::files
   study["format"] = message_format;
   study["study_hash"] = set.manifest.study_hash;
   study["set_hash"] = set.set_hash;
+  study["study_name"] = set.study.name;
   study["slots"] = 200;
   study["pilot"] = false;
   study["adaptive"] = set.study.procedure.index() != 0;

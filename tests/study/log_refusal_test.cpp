@@ -71,7 +71,10 @@ TEST_F(LogTest, ALogOfAnotherStudyOrSetIsRefusedAndUnharmed) {
     (void)enter(log, {.code = "p1"}, 1);
   }
   const RenderedSet other_study = write_set(folder / "other", "64, 512", "another");
-  EXPECT_THAT(complaint_of([&] { LogWriter log(path, other_study); }), HasSubstr("study_hash"));
+  const std::string said = complaint_of([&] { LogWriter log(path, other_study); });
+  EXPECT_THAT(said, HasSubstr("study_hash"));
+  for (const RenderedSet& of : {set, other_study})
+    EXPECT_THAT(said, HasSubstr(" of study \"" + of.study.name + "\", set " + of.folder.string()));
   Manifest rendered_again = set.manifest;
   rendered_again.stimuli[0].sha256 = std::string(64, '1');
   write_manifest(folder / "set", rendered_again);

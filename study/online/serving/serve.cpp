@@ -15,6 +15,7 @@
 #include "study/online/serving/tokens.h"
 #include "support/running/interrupt.h"
 #include "support/text/counted.h"
+#include "support/text/printable.h"
 #include "support/text/request_name.h"
 
 namespace seamline::study::online {
@@ -27,8 +28,9 @@ void check_same_study(const ServeRequest& request, const SiteFiles& site, const 
     if (wanted == found) return;
     throw input_error({.file = (request.folder / "study.json").string(),
                        .field = field,
-                       .wanted = wanted + ", of the set " + set.folder.string(),
-                       .found = found});
+                       .wanted = fmt::format("{} of study \"{}\", set {}", wanted,
+                                             printable(set.study.name, 80), printable(set.folder.string())),
+                       .found = fmt::format("{} of study \"{}\"", found, printable(site.study_name, 80))});
   };
   check("study_hash", set.manifest.study_hash, site.study_hash);
   check("set_hash", set.set_hash, site.set_hash);

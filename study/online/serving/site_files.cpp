@@ -121,6 +121,7 @@ void read_study(const fs::path& file, SiteFiles& site) {
                        .field = "host",
                        .wanted = "\"serve\" (export the page with " + request_name("serve") + ")",
                        .found = "\"" + printable(host->text, 40) + "\""});
+  if (const JsonValue* name = member_of(study, "study_name")) site.study_name = name->text;
   site.study_hash = text_of(study, "study_hash", file);
   site.set_hash = text_of(study, "set_hash", file);
   site.slots = static_cast<int>(

@@ -13,7 +13,7 @@ namespace seamline::study::online {
 struct SiteFiles {
   std::map<std::string, std::shared_ptr<const SentFile>>
       by_path;  ///< "/index.html", "/"; nothing else is sent
-  std::string study_hash, set_hash;
+  std::string study_name, study_hash, set_hash;
   int slots = 0;  ///< orders that the page has
   bool pilot = false;
   bool adaptive = false;
