@@ -24,7 +24,7 @@ void add_noise_options(CLI::App& command, double& noise_scale, std::uint64_t& se
 
 void add_photograph_options(CLI::App& command, RigPhotographOptions& photograph) {
   add_number(command, "--environment", photograph.environment, {0, limits::strongest_light, "W/m2/sr"},
-             "environment radiance R G B of photographs")
+             "environment radiance R G B of photographs; the default is a study's, while picture has none")
       ->capture_default_str();
   add_number(command, "--bounces", photograph.bounces, {0, 1024}, "further diffuse scatterings")
       ->capture_default_str();
