@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <string_view>
 
 #include "analysis/log_analysis/headline_rows.h"
 #include "analysis/log_analysis/task_words.h"
@@ -59,15 +60,79 @@ std::string estimate_text(const ThresholdEstimate& estimate, const TestedLevels&
   return fmt::format("{} ({})", level_text(estimate, tested.axis), interval_text(estimate.ci95, tested));
 }
 
-std::string aligned(const std::vector<std::vector<std::string>>& lines) {
-  std::vector<std::size_t> widths(lines.front().size());
+namespace {
+
+constexpr std::size_t widest_line = 160, between_columns = 2;
+
+/// Letters, not bytes.
+std::size_t letters_of(std::string_view text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+/// A cell in lines of at most so many letters; a word that is longer stays whole.
+std::vector<std::string> wrapped(const std::string& cell, std::size_t width) {
+  std::vector<std::string> lines(1);
+  for (std::size_t at = 0; at < cell.size();) {
+    const std::size_t space = std::min(cell.find(' ', at + 1), cell.size());
+    const std::string word = cell.substr(at, space - at);  // with the blank before it
+    if (!lines.back().empty() && letters_of(lines.back() + word) > width)
+      lines.push_back(word.substr(1));
+    else
+      lines.back() += word;
+    at = space;
+  }
+  return lines;
+}
+
+/// The narrowest that a column can be.
+std::size_t longest_word(const std::string& cell) {
+  std::size_t longest = 0;
+  for (const std::string& line : wrapped(cell, 0)) longest = std::max(longest, letters_of(line));
+  return longest;
+}
+
+/// As wide as the widest cell; the widest of those that can be broken are narrower where a line would be too
+/// long.
+std::vector<std::size_t> widths_of(const std::vector<std::vector<std::string>>& lines) {
+  std::vector<std::size_t> widths(lines.front().size()), least(widths.size());
   for (const std::vector<std::string>& line : lines)
-    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      widths[i] = std::max(widths[i], letters_of(line[i]));
+      least[i] = std::max(least[i], longest_word(line[i]));
+    }
+  std::size_t all = between_columns * (widths.size() - 1);
+  for (const std::size_t width : widths) all += width;
+  for (; all > widest_line; --all) {
+    std::size_t widest = widths.size();
+    for (std::size_t i = 0; i < widths.size(); ++i)
+      if (widths[i] > least[i] && (widest == widths.size() || widths[i] > widths[widest])) widest = i;
+    if (widest == widths.size()) break;
+    --widths[widest];
+  }
+  return widths;
+}
+
+}  // namespace
+
+std::string aligned(const std::vector<std::vector<std::string>>& lines) {
+  const std::vector<std::size_t> widths = widths_of(lines);
   std::string text;
   for (const std::vector<std::string>& line : lines) {
-    std::string row;
-    for (std::size_t i = 0; i < line.size(); ++i) row += fmt::format("{:<{}}", line[i], widths[i] + 2);
-    text += row.substr(0, row.find_last_not_of(' ') + 1) + "\n";
+    std::vector<std::vector<std::string>> cells;
+    std::size_t height = 1;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      cells.push_back(wrapped(line[i], widths[i]));
+      height = std::max(height, cells.back().size());
+    }
+    for (std::size_t k = 0; k < height; ++k) {
+      std::string row;
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        const std::string part = k < cells[i].size() ? cells[i][k] : "";
+        row += part + std::string(widths[i] + between_columns - std::min(widths[i], letters_of(part)), ' ');
+      }
+      text += row.substr(0, row.find_last_not_of(' ') + 1) + "\n";
+    }
   }
   return text;
 }

@@ -25,7 +25,8 @@ namespace seamline::analysis {
 /// "426 (380 to 470)", or the reason why there is no estimate with its interval.
 [[nodiscard]] std::string estimate_text(const ThresholdEstimate& estimate, const TestedLevels& tested);
 
-/// Lines of cells as text with columns as wide as their widest cell.
+/// Lines of cells as text with columns as wide as their widest cell. Where lines would have more than 160
+/// letters, cells of the widest columns go on below, broken between words.
 [[nodiscard]] std::string aligned(const std::vector<std::vector<std::string>>& lines);
 
 /// The table for a terminal: a line a quantity, beside the paper's value and, when simulated, the planted
