@@ -8,6 +8,7 @@
 
 #include "raytracer/common/parallel.h"
 #include "raytracer/scene/scene_moment.h"
+#include "raytracer/scene/scene_surfaces.h"
 #include "raytracer/scene/truth_scene.h"
 #include "renderer/depth/local_scene.h"
 #include "renderer/depth/sensor/sensor_pose.h"
@@ -182,8 +183,7 @@ X3dSubject subject_of_scene(const X3dRequest& request) {
                        .wanted = "what is put into the scene: .glb, .gltf or builtin:NAME",
                        .found = "none"});
   const SceneFile file = read_scene_file(resolve_named_file(request.source, "SET_OR_SCENE"));
-  if (file.meshes.empty())
-    throw input_error({.file = request.source, .wanted = "a scene with triangles", .found = "none"});
+  require_surface(file, request.source, "a scene");
   if (!request.light.camera && !file.camera)
     throw input_error({.file = request.source,
                        .wanted = "a camera in the scene, or " + request_name("at") + " X Y Z and " +

@@ -25,6 +25,7 @@
 #include "raytracer/common/parallel.h"
 #include "raytracer/light/bright_patches.h"
 #include "raytracer/scene/eyes.h"
+#include "raytracer/scene/scene_surfaces.h"
 #include "raytracer/scene/truth_scene.h"
 #include "renderer/depth/sensor/sensor_pose.h"
 #include "renderer/estimators/rig_photograph.h"
@@ -216,8 +217,7 @@ void run_picture(const PictureOptions& options) {
   SceneDefinition scene = scene_of(options, path);
   const Transparency transparency = transparency_of(options.transparent).value_or(Transparency::refused);
   const SceneFile file = read_scene_file(path, scene.materials, transparency);
-  if (file.meshes.empty())
-    throw input_error({.file = options.scene, .wanted = "a scene with triangles", .found = "none"});
+  require_surface(file, options.scene, "a scene");
   scene.camera = camera_of(file, options);
   Eigen::Vector3d centre_m;
   Camera camera = scene_camera(scene, file, options.width_px, options.height_px, centre_m);

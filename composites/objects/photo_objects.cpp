@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "raytracer/scene/resting_object.h"
+#include "raytracer/scene/scene_surfaces.h"
 #include "raytracer/scene/seen_surface.h"
 #include "support/text/error.h"
 #include "support/text/printable.h"
@@ -77,8 +78,7 @@ PhotoObjects place_objects(const std::vector<PlacedModel>& models, const Eigen::
     if (read == known.end())
       read = known.emplace(key, read_scene_file(model.path, model.materials, model.transparency)).first;
     SceneFile file = read->second;
-    if (file.meshes.empty())
-      throw input_error({.file = model.file, .wanted = "an object with triangles", .found = "none"});
+    require_surface(file, model.file, "an object");
     SceneDefinition layer;
     layer.albedo = model.albedo;
     layer.object_metallic = model.metallic;

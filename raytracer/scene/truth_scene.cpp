@@ -13,6 +13,7 @@
 #include "raytracer/scene/lit_parts.h"
 #include "raytracer/scene/resting_object.h"
 #include "raytracer/scene/scene_moment.h"
+#include "raytracer/scene/scene_surfaces.h"
 #include "support/arithmetic/units.h"
 #include "support/text/error.h"
 #include "support/text/limits.h"
@@ -279,6 +280,15 @@ std::vector<std::string> unused_of_scene(const SceneDefinition& definition, cons
   return unused;
 }
 
+/// At a moment of an animation there may be nothing to see.
+void require_shown(const SceneFile& scene, const std::string& named, const std::filesystem::path& path,
+                   const std::string& what) {
+  if (split_moment(named).moment)
+    require_triangles(scene, path.string(), what);
+  else
+    require_surface(scene, path.string(), what);
+}
+
 }  // namespace
 
 SceneFile read_object_file(const ObjectDefinition& object, const SceneDefinition& scene) {
@@ -293,9 +303,7 @@ TruthScene load_truth_scene(const SceneDefinition& definition, int width_px, int
   scene.definition = definition;
   const SceneFile background = read_scene_moment(definition.path, definition.materials, Transparency::refused,
                                                  split_moment(definition.file).moment);
-  if (background.meshes.empty())
-    throw input_error(
-        {.file = definition.path.string(), .wanted = "a scene with triangles", .found = "none"});
+  require_shown(background, definition.file, definition.path, "a scene");
   scene.camera = view_camera(
       scene_camera(definition, background, width_px, height_px, scene.camera_position_m), definition.view);
   scene.light = scene_light(definition, background, scene.camera_position_m);
@@ -308,9 +316,7 @@ TruthScene load_truth_scene(const SceneDefinition& definition, int width_px, int
   for (std::size_t i = 0; i < definition.objects.size(); ++i) {
     const ObjectDefinition& object = definition.objects[i];
     SceneFile file = read_object_file(object, definition);
-    if (file.meshes.empty())
-      throw input_error(
-          {.file = object.path.string(), .wanted = "an object with triangles", .found = "none"});
+    require_shown(file, object.file, object.path, "an object");
     note_left_out(file, camera_and_lights(file), scene);
     scene.objects[i] = place_meshes(file, standing_placement(object, file, scene, scene.rests),
                                     scene.camera_position_m, definition.albedo, static_cast<int>(i) + 1);

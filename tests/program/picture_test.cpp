@@ -67,6 +67,36 @@ TEST(Picture, AViewNobodyGaveHasNoCrumbsOfRounding) {
   EXPECT_THAT(outcome.output, HasSubstr("--look-at 0 0.5 0 --fov"));
 }
 
+TEST(Picture, AFileInWhichNothingHasAnAreaIsRefusedWhereverItIsRead) {
+  const fs::path folder = test::fresh_folder("picture-nothing");
+  const auto in = [&](const std::string& name) { return (folder / name).string(); };
+  const std::array<float, 9> on_a_line = {0.1F, 0.2F, 0.3F, 0.2F, 0.4F, 0.6F, 0.3F, 0.6F, 0.9F};
+  std::string bytes(sizeof on_a_line, '\0');
+  std::memcpy(bytes.data(), on_a_line.data(), sizeof on_a_line);
+  test::write_text(folder / "a.bin", bytes);
+  test::write_text(
+      folder / "flat.gltf",
+      R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":36,"uri":"a.bin"}],"bufferViews":[{"buffer":0,"byteLength":36}],)"
+      R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],)"
+      R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}]})");
+  test::write_text(folder / "none.gltf", R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[]}]})");
+  write_exr(folder / "photo.exr", Image(16, 8, 3, 0.5F));
+  write_exr(folder / "depth.exr", Image(16, 8, 1, 2));
+  for (const auto& [name, found] :
+       {std::pair("flat.gltf", "triangles that have an area, found 1 triangle without any"),
+        std::pair("none.gltf", "triangles, found none")}) {
+    const std::string file = in(name);
+    test::expect_refused("picture " + file + " --environment 1 1 1" + (small + in("a.png")),
+                         std::string("wanted a scene with ") + found);
+    test::expect_refused("composite --background " + in("photo.exr") + " --depth " + in("depth.exr") +
+                             " --object " + file + " --out " + in("a.png"),
+                         std::string("wanted an object with ") + found);
+    test::write_text(folder / "study.toml", test::quick_study_with({{"builtin:statue", name}}));
+    test::expect_refused("check " + in("study.toml"), std::string("wanted an object with ") + found);
+  }
+  EXPECT_FALSE(fs::exists(folder / "a.png"));
+}
+
 TEST(Picture, WithoutLightItSaysWhichOptionsGiveSome) {
   const fs::path file = test::fresh_folder("picture-dark") / "a.png";
   const auto said = [&](const std::string& options) {
