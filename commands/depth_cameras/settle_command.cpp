@@ -168,6 +168,8 @@ void run_settle(const SettleOptions& options) {
                             .matrix());
   const SensedDepth depth = options.depth.empty() ? sense_depth(options.sensed) : depth_of_files(options);
   request.world_from_depth = depth.world_from_depth;
+  if (depth.may_be_z_up)
+    request.when_lost = "glTF is Y-up, and the file may be Z-up (export it again with +Y up)";
   const PreparedFolder prepared(folder);
   const DepthSequence measured = filtered(options, depth.measured);
   std::vector<std::pair<std::string, DepthSequence>> sequences = {{"measured", measured},

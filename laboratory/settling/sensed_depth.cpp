@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "raytracer/common/parallel.h"
+#include "raytracer/scene/scene_surfaces.h"
 #include "renderer/depth/sensor/sensor_view.h"
 #include "renderer/estimators/sensed_scene.h"
 #include "sensors/noise/measurement.h"
@@ -25,6 +26,7 @@ SensedDepth sense_depth(const DepthSubject& request) {
   const auto seen = std::make_shared<const sensors::SeenFrame>(
       see_truth(scene.truth, rig.depth, seen_from, sight_for(rig.noise, rig.projector_m), threads));
   SensedDepth depth;
+  depth.may_be_z_up = may_be_z_up(file);
   depth.world_from_depth = Eigen::Translation3d(scene.centre_m) * seen_from;
   depth.measured = [=, noise = rig.noise, scale = request.noise_scale, seed = request.seed](int frame) {
     return sensors::measure(*seen, noise, {seed, static_cast<std::uint64_t>(frame)}, scale, threads).frame;

@@ -24,6 +24,7 @@ struct SensedDepth {
   DepthSequence measured;
   std::optional<DepthSequence> exact;
   Eigen::Isometry3d world_from_depth = Eigen::Isometry3d::Identity();
+  bool may_be_z_up = false;  ///< the scene's file (`may_be_z_up`)
 };
 
 /// Traces what the sensor sees once; each frame has noise of its own. Throws InputError as the readers do,

@@ -75,7 +75,8 @@ Fall fall_on(const DepthSequence& depth, const FallRequest& request,
     if (!(body.middle_m.y() > lowest_m(ground.ground()) - lost_below_m))
       throw input_error({.field = what,
                          .wanted = "a surface below it that holds it",
-                         .found = fmt::format("that it falls out of the scene in frame {}", frame)});
+                         .found = fmt::format("that it falls out of the scene in frame {}{}", frame,
+                                              request.when_lost.empty() ? "" : ": " + request.when_lost)});
     fall.poses.push_back(body.world_from_body);
     if (frame >= request.frames_to_rest) middles_m.push_back(body.middle_m);
     after_frame();

@@ -19,6 +19,7 @@ struct FallRequest {
   int frames = 100;         ///< that count
   int frames_per_s = 30;
   PhysicsSettings physics;
+  std::string when_lost = {};  ///< what may be the reason where it falls out of the scene; may be empty
 };
 
 /// Where the body is at the end of each frame, and how much that shakes over the frames that count.

@@ -1,4 +1,7 @@
 // Things that fall in a recording, as people ask for it.
+#include <array>
+#include <cstring>
+
 #include "physics/rigid_world.h"
 #include "refusal.h"
 
@@ -52,6 +55,37 @@ TEST(LivePhysics, HasTheSamePosesAndPicturesForOneAndTwoThreads) {
                    " --object builtin:teapot --at 0.3 0 -30 --height 0.2 --headless --time --physics");
   EXPECT_EQ(nowhere.status, 1);
   EXPECT_THAT(nowhere.output, testing::HasSubstr("seamline: --physics of builtin:teapot: wanted a surface"));
+}
+
+TEST(LivePhysics, WhatFallsPastASceneThatIsZUpIsToldSo) {
+  const fs::path folder = test::fresh_folder("settle-z-up");
+  // The floor of somebody whose Z is up: it stands upright.
+  const std::array<float, 18> corners = {-2, -2, 0, 2, -2, 0, 2, 2, 0, -2, -2, 0, 2, 2, 0, -2, 2, 0};
+  std::string bytes(sizeof corners, '\0');
+  std::memcpy(bytes.data(), corners.data(), sizeof corners);
+  test::write_text(folder / "a.bin", bytes);
+  test::write_text(
+      folder / "floor.gltf",
+      R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":72,"uri":"a.bin"}],"bufferViews":[{"buffer":0,"byteLength":72}],)"
+      R"("accessors":[{"bufferView":0,"componentType":5126,"count":6,"type":"VEC3"}],)"
+      R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}]})");
+  const auto settled = [&](const std::string& scene, const std::string& position) {
+    return "settle " + scene + " --sensor tof_160x120 --ball 0.1 --position " + position +
+           " --frames 2 --out " + (folder / "out").string();
+  };
+  const std::string floor = (folder / "floor.gltf").string();
+  const std::string upright = settled(floor + " --at 0 0 3 --look-at 0 0 0", "0 0 1"),
+                    beside = settled("builtin:bedroom", "60 0 0");
+  if (!renderer::has_physics()) return test::expect_refused(upright, "built with Bullet");
+  const auto lost = [&](const std::string& command) {
+    const test::Outcome outcome = run_seamline(command);
+    EXPECT_EQ(outcome.status, 1) << outcome.output;
+    EXPECT_THAT(outcome.output, testing::HasSubstr("falls out of the scene in frame"));
+    return outcome.output;
+  };
+  EXPECT_THAT(lost(upright), testing::HasSubstr(": glTF is Y-up, and the file may be Z-up"));
+  EXPECT_THAT(lost(beside), testing::Not(testing::HasSubstr("Z-up")));
+  EXPECT_FALSE(fs::exists(folder / "out"));
 }
 
 TEST(LivePhysics, ProgressOfASettlingBodyEndsWithItsLastFrame) {
