@@ -2,12 +2,10 @@
 
 #include <fmt/core.h>
 
-#include <cstring>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "raytracer/scene/gltf/gltf_load.h"
-#include "raytracer/scene/gltf/gltf_uri.h"
 #include "raytracer/tracing/ray_device.h"
 #include "stimuli/definition/clip_frames.h"
 #include "support/files/assets.h"
@@ -23,34 +21,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The JSON part of a .gltf or .glb file; an unreadable one is complained about by the scene reader.
-Json gltf_json(const fs::path& path) {
-  std::string bytes = read_file(path, limits::largest_scene_file_bytes);
-  if (bytes.starts_with("glTF") && bytes.size() >= 20) {
-    std::uint32_t length = 0;
-    std::memcpy(&length, bytes.data() + 12, sizeof length);
-    bytes = bytes.substr(20, length);  // as long as there is
-  }
-  require_bounded_json(bytes, path.string());
-  return Json::parse(bytes, nullptr, false);
-}
-
 /// Hash of a scene file and of the buffer and picture files beside it that it names.
 std::string scene_file_hash(const fs::path& path) {
   std::string hashes = sha256_of_file(path);
-  const Json json = gltf_json(path);
-  for (const char* table : {"buffers", "images"}) {
-    if (!json.is_object() || !json.contains(table) || !json[table].is_array()) continue;
-    for (const Json& named : json[table]) {
-      if (!named.is_object() || !named.contains("uri") || !named["uri"].is_string()) continue;
-      const std::string uri = named["uri"];
-      if (is_data_uri(uri)) continue;
-      const fs::path file = path.parent_path() / file_of_uri(uri);
-      std::error_code error;
-      if (fs::is_regular_file(file, error) && lies_below(file, path.parent_path()))
-        hashes += sha256_of_file(file);
-    }
-  }
+  for (const fs::path& file : files_named_by_gltf(path)) hashes += sha256_of_file(file);
   return hashes;
 }
 

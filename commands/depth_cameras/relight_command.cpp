@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "commands/depth_cameras/rig_options.h"
+#include "commands/options/output_files.h"
 #include "laboratory/settling/frame_ground.h"
 #include "laboratory/settling/sensed_depth.h"
 #include "raytracer/common/parallel.h"
@@ -159,7 +160,10 @@ void add_relight_command(CLI::App& app) {
   add_number(*command, "--frames", options->frames, {2, 1000000},
              "of the sensor, over which the flicker is taken")
       ->capture_default_str();
-  command->callback([options, at] {
+  command->callback([options, at, command] {
+    require_outputs_in_folder(*command,
+                              {"exact.png", "measured_0.png", "measured_1.png", "measured_difference.png",
+                               "planes_0.png", "planes_1.png", "planes_difference.png"});
     options->sensed.has_place = at->count() > 0;
     run_relight(*options);
   });

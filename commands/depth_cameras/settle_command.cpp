@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "commands/depth_cameras/rig_options.h"
+#include "commands/options/output_files.h"
 #include "laboratory/settling/sensed_depth.h"
 #include "laboratory/settling/shake_report.h"
 #include "physics/body_shape.h"
@@ -257,6 +258,9 @@ void add_settle_command(CLI::App& app) {
     options->has_ball = ball->count() > 0;
     options->has_scale = command->count("--scale") > 0;
     options->has_noise = command->count("--noise") + command->count("--seed") > 0;
+    std::vector<std::string> files{"poses.csv", "shake.csv", "data_dictionary.csv", "shake.svg"};
+    if (options->has_ball) files.emplace_back("ball.glb");
+    require_outputs_in_folder(*command, files);
     run_settle(*options);
   });
 }

@@ -1,16 +1,14 @@
 #include "commands/options/output_files.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
-#include "raytracer/scene/gltf/gltf_uri.h"
+#include "composites/objects/objects_file.h"
+#include "raytracer/scene/gltf/gltf_load.h"
 #include "support/files/held/written_files.h"
-#include "support/text/limits.h"
+#include "support/text/error.h"
 
 namespace seamline {
 namespace fs = std::filesystem;
@@ -21,45 +19,16 @@ bool is_file(const fs::path& path) {
   return fs::is_regular_file(path, error);
 }
 
-/// The text of a file that may name others; of a .glb its JSON, which comes before megabytes of numbers.
-std::string text_of(const fs::path& file) {
-  std::error_code error;
-  auto size = fs::file_size(file, error);
-  if (error) return {};
-  std::ifstream in(file, std::ios::binary);
-  if (file.extension() == ".glb") {
-    constexpr std::size_t length_at = 12, head_bytes = 20;  // glTF 2.0, section 4.4
-    std::array<unsigned char, head_bytes> head{};
-    if (!in.read(reinterpret_cast<char*>(head.data()), head_bytes)) return {};
-    std::uintmax_t length = 0;
-    for (std::size_t i = 4; i-- > 0;) length = 256 * length + head[length_at + i];
-    size = std::min(size - head_bytes, length);
-  }
-  std::string text(size > limits::largest_scene_file_bytes ? 0 : size, ' ');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  return text;
-}
-
-/// Files that a scene or a table of objects names: what stands in quotes there, and is a file seen from its
-/// folder. It is not parsed, since whoever reads it says what is wrong with it.
-std::vector<fs::path> files_named_in(const fs::path& file) {
-  const fs::path ending = file.extension();
-  const bool is_table = ending == ".toml";
-  if (!is_table && ending != ".gltf" && ending != ".glb") return {};
-  const std::string text = text_of(file);
-  constexpr std::size_t longest_name = 4096;
+/// Files that a table of objects names, and those that these name.
+std::vector<fs::path> files_of_objects(const fs::path& file, const fs::path& asset_root) {
   std::vector<fs::path> named;
-  for (std::size_t start = text.find('"'); start != std::string::npos; start = text.find('"', start + 1)) {
-    const std::size_t end = text.find('"', start + 1);
-    if (end == std::string::npos || end - start > longest_name) continue;
-    const std::string name = text.substr(start + 1, end - start - 1);
-    if (name.find('.') == std::string::npos || name.find('\0') != std::string::npos) continue;
-    const fs::path path = file.parent_path() / (is_table ? name : renderer::file_of_uri(name));
-    if (!is_file(path)) continue;
-    named.push_back(path);
-    if (is_table && path.extension() != ending)  // a table that names itself
-      for (const fs::path& inside : files_named_in(path)) named.push_back(inside);
+  try {
+    named = renderer::files_named_by(renderer::read_objects_file(file, asset_root));
+  } catch (const InputError&) {
+    return {};  // whoever reads it says what is wrong with it
   }
+  for (std::size_t i = 0, count = named.size(); i < count; ++i)
+    for (const fs::path& inside : renderer::files_named_by_gltf(named[i])) named.push_back(inside);
   return named;
 }
 
@@ -77,9 +46,13 @@ std::vector<OptionFile> given_values(const CLI::App& command) {
   return given;
 }
 
-void add_read(const OptionFile& value, std::vector<OptionFile>& read) {
+/// A file that is read, and those that it names.
+void add_read(const CLI::App& command, const OptionFile& value, std::vector<OptionFile>& read) {
   read.push_back(value);
-  for (const fs::path& named : files_named_in(value.path))
+  const CLI::Option* root = command.get_option_no_throw("--asset-root");
+  const fs::path asset_root = root != nullptr && root->count() > 0 ? root->as<std::string>() : std::string();
+  for (const fs::path& named : value.field == "--objects" ? files_of_objects(value.path, asset_root)
+                                                          : renderer::files_named_by_gltf(value.path))
     read.push_back({"one that " + value.field + " names", named});
 }
 
@@ -93,20 +66,24 @@ void require_outputs(const CLI::App& command, std::initializer_list<const char*>
     if (is_one_of(value.field, outputs))
       written.push_back(value);
     else if (is_one_of(value.field, made) || is_file(value.path))
-      add_read(value, read);
+      add_read(command, value, read);
   }
   require_apart(made_files);
   require_outputs(written, read);
 }
 
 void require_outputs_in_folder(const CLI::App& command, std::initializer_list<const char*> files) {
+  require_outputs_in_folder(command, std::vector<std::string>(files.begin(), files.end()));
+}
+
+void require_outputs_in_folder(const CLI::App& command, std::span<const std::string> files) {
   const std::string folder = command.get_option("--out")->as<std::string>();
   std::error_code error;
   if (!fs::is_directory(folder, error)) return;
   std::vector<OptionFile> written, read;
-  for (const char* file : files) written.push_back({"--out", fs::path(folder) / file});
+  for (const std::string& file : files) written.push_back({"--out", fs::path(folder) / file});
   for (const OptionFile& value : given_values(command))
-    if (is_file(value.path)) add_read(value, read);
+    if (is_file(value.path)) add_read(command, value, read);
   require_outputs(written, read);
 }
 

@@ -9,7 +9,9 @@
 #include <memory>
 #include <numbers>
 #include <string>
+#include <vector>
 
+#include "commands/options/output_files.h"
 #include "commands/photographs/view_options.h"
 #include "renderer/views/depth_image.h"
 #include "renderer/views/lens_sheet.h"
@@ -30,6 +32,25 @@ struct ViewsOptions {
   double max_depth_m = 0, fov_deg = 0;
   ViewOptions view;
 };
+
+constexpr const char* interleaved_file = "interleaved.png";
+
+std::string view_file(int view) {
+  return fmt::format("view-{}.png", view + 1);
+}
+
+std::string holes_file(int view) {
+  return fmt::format("view-{}-holes.png", view + 1);
+}
+
+std::vector<std::string> files_of_views(int views) {
+  std::vector<std::string> files{interleaved_file};
+  for (int view = 0; view < views; ++view) {
+    files.push_back(view_file(view));
+    files.push_back(holes_file(view));
+  }
+  return files;
+}
 
 /// The two halves of the frame, stretched to the frame's own size.
 PictureWithDepth read_frame(const ViewsOptions& options, int views) {
@@ -97,16 +118,16 @@ void run_views(const ViewsOptions& options) {
     const double right_m = (k - 0.5 * (view.views - 1)) * view.separation_m;
     const SynthesisedView made = view_from_depth(
         from, {.right_m = right_m, .zero_parallax_m = view.zero_parallax_m, .focal_px = focal_px});
-    write_png(folder / fmt::format("view-{}.png", k + 1), display_image(made.picture));
-    write_png(folder / fmt::format("view-{}-holes.png", k + 1), display_image(with_holes_shown(made)));
+    write_png(folder / view_file(k), display_image(made.picture));
+    write_png(folder / holes_file(k), display_image(with_holes_shown(made)));
     said += fmt::format("view {}: eye {:+.4f} m, holes {:.2f} %\n", k + 1, right_m, 100 * hole_share(made));
     for (int y = 0; y < all_eyes.height_px; ++y)
       for (int x = 0; x < width_px; ++x) all_eyes.set_rgb(k * width_px + x, y, made.picture.rgb(x, y));
     progress.advance(1, "");
   }
-  write_png(folder / "interleaved.png", display_image(interleave(sheet_screen(view, width_px), all_eyes)));
+  write_png(folder / interleaved_file, display_image(interleave(sheet_screen(view, width_px), all_eyes)));
   fmt::print("{}Views, their holes in magenta, and all under the lens sheet: {}\n", said,
-             (folder / "interleaved.png").string());
+             (folder / interleaved_file).string());
 }
 
 }  // namespace
@@ -138,7 +159,10 @@ void add_views_command(CLI::App& app) {
       ->add_option("--mask", options->mask,
                    "where the background is another than the picture: white; of the frame's size")
       ->needs(background);
-  command->callback([options] { run_views(*options); });
+  command->callback([options, command] {
+    require_outputs_in_folder(*command, files_of_views(view_of(options->view).views));
+    run_views(*options);
+  });
 }
 
 }  // namespace seamline::renderer

@@ -114,6 +114,13 @@ ObjectsFile parse_objects_file(const std::string& text, const std::filesystem::p
   return read_objects(TomlTable::parse(text, path), path, asset_root);
 }
 
+std::vector<std::filesystem::path> files_named_by(const ObjectsFile& file) {
+  std::vector<std::filesystem::path> named;
+  for (const PlacedModel& object : file.objects) named.push_back(object.path);
+  if (file.light.environment) named.push_back(file.light.environment->path);
+  return named;
+}
+
 std::string objects_file_text(const std::vector<PlacedModel>& objects) {
   std::string text;
   const auto three = [](const Eigen::Vector3d& v) {

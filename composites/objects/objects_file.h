@@ -26,6 +26,9 @@ struct ObjectsFile {
 [[nodiscard]] ObjectsFile parse_objects_file(const std::string& text, const std::filesystem::path& path,
                                              const std::filesystem::path& asset_root);
 
+/// The files that it names: the objects' and the environment's.
+[[nodiscard]] std::vector<std::filesystem::path> files_named_by(const ObjectsFile& file);
+
 /// The file's text; reading it gives the same objects. Light is not written.
 [[nodiscard]] std::string objects_file_text(const std::vector<PlacedModel>& objects);
 

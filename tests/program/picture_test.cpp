@@ -185,10 +185,43 @@ TEST(Outputs, AreNoFilesThatASceneOrATableOfObjectsNames) {
                    "glTF" + number(2) + number(json.size() + 20) + number(json.size()) + "JSON" + json);
   test::expect_refused("picture " + in("room.glb") + " --out " + wall,
                        "--out: wanted another file than one that scene names, which would be lost");
+  // As TOML writes names, too: in single quotes, with letters as numbers, and below an asset root.
+  fs::create_directories(folder / "assets/rooms");
+  fs::copy_file(folder / "room.gltf", folder / "assets/rooms/room.gltf");
+  test::write_text(folder / "assets/rooms/the-wall.png", "another picture");
+  test::write_text(folder / "more.toml", "[[object]]\nfile = 'rooms/room.gltf'\nposition_m = [0, 0, -1]\n");
+  test::write_text(folder / "coded.toml", "[[object]]\nfile = \"ro\\u006Fm.gltf\"\n");
+  const std::string composite = "composite --background none.png --depth none.exr --objects ";
+  test::expect_refused(composite + in("more.toml") + " --asset-root " + in("assets") + " --out " +
+                           in("assets/rooms/the-wall.png"),
+                       "--out: wanted another file than one that --objects names");
+  test::expect_refused(composite + in("coded.toml") + " --out " + wall,
+                       "--out: wanted another file than one that --objects names");
   test::write_text(folder / "self.toml", "[[object]]\nfile = \"self.toml\"\nposition_m = [0, 0, -1]\n");
   test::expect_refused("picture builtin:bedroom --objects " + in("self.toml") + " --out " + in("new.png"),
                        "self.toml: wanted a whole glTF 2.0 file");
   EXPECT_EQ(test::read_text(folder / "the-wall.png"), "a picture");
+  EXPECT_EQ(test::read_text(folder / "assets/rooms/the-wall.png"), "another picture");
+}
+
+TEST(Outputs, InAFolderAreNoneOfTheFilesThatAreRead) {
+  const fs::path folder = test::fresh_folder("outputs-in-folder");
+  const auto in = [&](const std::string& name) { return (folder / name).string(); };
+  const std::vector<std::string> names = {"view-2.png", "interleaved.png", "ball.glb", "exact.png",
+                                          "shake.csv"};
+  for (const std::string& name : names) test::write_text(folder / name, "mine");
+  const std::string views = " --max-depth 8 --fov 60 --zero-parallax 4 --out " + folder.string();
+  test::expect_refused("views " + in("view-2.png") + views,
+                       "--out: wanted another file than frame, which would be lost");
+  test::expect_refused("views none.png --background " + in("interleaved.png") + views,
+                       "--out: wanted another file than --background");
+  test::expect_refused("relight " + in("exact.png") + " --sensor tof_160x120 --out " + folder.string(),
+                       "--out: wanted another file than scene");
+  test::expect_refused("settle --depth " + in("shake.csv") +
+                           " --camera none.toml --ball 0.1 --position 0 0 -1 --out " + folder.string(),
+                       "--out: wanted another file than --depth");
+  for (const std::string& name : names) EXPECT_EQ(test::read_text(folder / name), "mine") << name;
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), std::ssize(names));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <fstream>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -11,7 +12,9 @@
 
 #include "raytracer/scene/gltf/gltf_buffers.h"
 #include "raytracer/scene/gltf/gltf_compression.h"
+#include "raytracer/scene/gltf/gltf_uri.h"
 #include "support/files/atomic_file.h"
+#include "support/files/confined_path.h"
 #include "support/text/error.h"
 #include "support/text/limits.h"
 #include "support/text/text_bounds.h"
@@ -65,6 +68,36 @@ GltfText split(std::string bytes, const fs::path& path) {
   return {.json = bytes.substr(glb_header_bytes, json_bytes),
           .chunk = binary_chunk(bytes, glb_header_bytes + json_bytes,
                                 cut("one that ends before its binary chunk does"))};
+}
+
+/// Whether a file that begins so may be a glTF file: a .glb, or JSON behind blanks and a mark of byte order.
+bool may_be_gltf(std::string_view start) {
+  if (start.starts_with("glTF")) return true;
+  if (start.starts_with("\xEF\xBB\xBF")) start.remove_prefix(3);
+  const std::size_t begin = start.find_first_not_of(" \t\r\n");
+  return begin == std::string_view::npos || start[begin] == '{';
+}
+
+/// The JSON of a file alone, which in a .glb comes before megabytes of numbers; empty where it cannot be
+/// read.
+std::string json_of_file(const fs::path& path) {
+  std::error_code error;
+  const std::uintmax_t size = fs::file_size(path, error);
+  if (error) return {};
+  std::ifstream in(path, std::ios::binary);
+  std::string text(static_cast<std::size_t>(std::min<std::uintmax_t>(size, glb_header_bytes)), ' ');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (!in || !may_be_gltf(text)) return {};
+  std::uintmax_t rest = size - text.size();
+  if (text.size() == glb_header_bytes && text.starts_with("glTF")) {
+    rest = std::min<std::uintmax_t>(rest, number_at(text, 12));
+    text.clear();
+  }
+  if (std::cmp_greater(text.size() + rest, limits::largest_scene_file_bytes)) return {};
+  const std::size_t begun = text.size();
+  text.resize(begun + static_cast<std::size_t>(rest));
+  in.read(text.data() + begun, static_cast<std::streamsize>(rest));
+  return in ? text : std::string();
 }
 
 /// What the file says of its pictures, which the library does not see: it would decode them.
@@ -187,6 +220,29 @@ tinygltf::Model load_gltf(const fs::path& path, LeftOut& left_out, GltfJson* ani
   for (std::vector<unsigned char>& bytes : buffers) model.buffers.emplace_back().data = std::move(bytes);
   add_pictures(pictures, model);
   return model;
+}
+
+std::vector<fs::path> files_named_by_gltf(const fs::path& path) {
+  const std::string text = json_of_file(path);
+  try {
+    require_bounded_json(text, path.string());
+  } catch (const InputError&) {
+    return {};
+  }
+  const GltfJson json = GltfJson::parse(text, nullptr, false);
+  std::vector<fs::path> files;
+  for (const char* name : {"buffers", "images"}) {
+    const GltfJson* table = member(json, name);
+    if (table == nullptr || !table->is_array()) continue;
+    for (const GltfJson& named : *table) {
+      const std::string uri = text_of(named, "uri");
+      if (uri.empty() || is_data_uri(uri)) continue;
+      const fs::path file = path.parent_path() / file_of_uri(uri);
+      std::error_code error;
+      if (fs::is_regular_file(file, error) && lies_below(file, path.parent_path())) files.push_back(file);
+    }
+  }
+  return files;
 }
 
 }  // namespace seamline::renderer

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <vector>
 
 #include "raytracer/scene/gltf/gltf_extensions.h"
 #include "raytracer/scene/gltf/gltf_json.h"
@@ -18,5 +19,10 @@ namespace seamline::renderer {
 /// `animations`, where it is asked for, gets the file's table of them, unread.
 [[nodiscard]] tinygltf::Model load_gltf(const std::filesystem::path& path, LeftOut& left_out,
                                         GltfJson* animations = nullptr);
+
+/// The files of buffers, then of pictures, that a .gltf or .glb file names: those that are there, in its
+/// folder or below it, as its readers open them. Of a .glb only the JSON is read. Empty for a file that
+/// cannot be read, of which `load_gltf` says what is wrong.
+[[nodiscard]] std::vector<std::filesystem::path> files_named_by_gltf(const std::filesystem::path& path);
 
 }  // namespace seamline::renderer
