@@ -8,13 +8,17 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "analysis/detection/detection_comparison.h"
 #include "analysis/detection/pair_fit.h"
 #include "analysis/detection/standard_observer.h"
+#include "support/files/held/prepared_folder.h"
+#include "support/files/image.h"
 #include "support/files/markdown_table.h"
+#include "support/text/error.h"
 #include "support/text/number_option.h"
 
 namespace seamline::analysis {
@@ -200,18 +204,41 @@ DetectionTable other_table(const DetectionThresholds& thresholds, int threads) {
   return table;
 }
 
+std::filesystem::path pattern_file(const std::filesystem::path& folder, const DetectionPattern& pattern) {
+  return folder / fmt::format("{:02}.png", pattern.number);
+}
+
+/// Pictures of the folder may be somebody's stimuli: a file that is there already is nobody's to replace.
+void require_free_names(const std::filesystem::path& folder) {
+  for (const DetectionPattern& pattern : modelfest_thresholds().patterns) {
+    const std::filesystem::path file = pattern_file(folder, pattern);
+    if (std::filesystem::exists(std::filesystem::symlink_status(file)))
+      throw input_error({.file = file.string(),
+                         .field = "--pictures",
+                         .wanted = "a folder without files of the patterns' names, which would be lost",
+                         .found = "one with " + file.filename().string()});
+  }
+}
+
 void write_patterns(const std::filesystem::path& folder) {
-  std::filesystem::create_directories(folder);
   for (const DetectionPattern& pattern : modelfest_thresholds().patterns)
-    write_png(folder / fmt::format("{:02}.png", pattern.number),
-              display_image(pattern_picture(pattern_contrast(pattern), 1)));
+    write_png(pattern_file(folder, pattern), display_image(pattern_picture(pattern_contrast(pattern), 1)));
 }
 
 void observe(const ObserveOptions& options) {
-  if (!options.pictures_folder.empty()) write_patterns(options.pictures_folder);
+  std::optional<PreparedFolder> prepared;
+  if (!options.pictures_folder.empty()) {
+    require_free_names(options.pictures_folder);
+    prepared.emplace(options.pictures_folder);
+  }
+  std::optional<PairJudgement> judgement;
   if (!options.pairs.empty()) {
     const std::vector<SeenPair> pairs = read_seen_pairs(options.pairs);
-    std::printf("%s", pairs_text(judge_pairs(pairs, measure_pairs(pairs, options.threads))).c_str());
+    judgement = judge_pairs(pairs, measure_pairs(pairs, options.threads));
+  }
+  if (prepared) write_patterns(options.pictures_folder);
+  if (judgement) {
+    std::printf("%s", pairs_text(*judgement).c_str());
     return;
   }
   const ObserverDefinition observer;

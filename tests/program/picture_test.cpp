@@ -224,5 +224,18 @@ TEST(Outputs, InAFolderAreNoneOfTheFilesThatAreRead) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), std::ssize(names));
 }
 
+TEST(Outputs, PicturesOfPatternsReplaceNothing) {
+  const fs::path folder = test::fresh_folder("outputs-patterns");
+  test::write_text(folder / "07.png", "mine");
+  test::expect_refused("observe --pictures " + folder.string(),
+                       "--pictures: wanted a folder without files of the patterns' names");
+  // Pairs that cannot be read, or are a folder: nothing is written beside them.
+  test::write_text(folder / "pairs.csv", "reference,picture,seen,n,pixels_per_degree\n");
+  for (const std::string& pairs : {(folder / "pairs.csv").string(), folder.string()})
+    EXPECT_EQ(run_seamline("observe " + pairs + " --pictures " + (folder / "new").string()).status, 1);
+  EXPECT_EQ(test::read_text(folder / "07.png"), "mine");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 2);
+}
+
 }  // namespace
 }  // namespace seamline
