@@ -161,9 +161,9 @@ void add_relight_command(CLI::App& app) {
              "of the sensor, over which the flicker is taken")
       ->capture_default_str();
   command->callback([options, at, command] {
-    require_outputs_in_folder(*command,
-                              {"exact.png", "measured_0.png", "measured_1.png", "measured_difference.png",
-                               "planes_0.png", "planes_1.png", "planes_difference.png"});
+    require_outputs_in_folder(
+        *command, {"exact.png", "measured_0.png", "measured_1.png", "measured_difference.png", "planes_0.png",
+                   "planes_1.png", "planes_difference.png"});
     options->sensed.has_place = at->count() > 0;
     run_relight(*options);
   });

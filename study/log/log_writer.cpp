@@ -135,12 +135,11 @@ void claim_log(SQLite::Database& database, const fs::path& path, const RenderedS
   const bool is_other = log.study_hash != set.manifest.study_hash && is_set_but_observer(log, set);
   const auto check = [&](const char* field, const std::string& wanted, const std::string& found) {
     if (wanted == found) return;
-    throw OtherStudy(
-        input_error({.file = path.string(),
-                     .field = field,
-                     .wanted = named_hash(wanted, log.study_name, log.set_folder) +
-                               " (one log holds one set of one study; name another log file)",
-                     .found = named_hash(found, set.study.name, set.folder.string())}));
+    throw OtherStudy(input_error({.file = path.string(),
+                                  .field = field,
+                                  .wanted = named_hash(wanted, log.study_name, log.set_folder) +
+                                            " (one log holds one set of one study; name another log file)",
+                                  .found = named_hash(found, set.study.name, set.folder.string())}));
   };
   if (!is_other) {
     check("study_hash", log.study_hash, set.manifest.study_hash);
