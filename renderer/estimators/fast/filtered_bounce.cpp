@@ -77,15 +77,15 @@ FilteredBounce filtered_uncovered(const ObjectTruth& truth, const DepthAnswers& 
     const std::size_t i = truth.truth_sums.index(x, y);
     const Surface& surface = uncovered.surfaces[i] = surface_at(x, y, i);
     if (depth.halves[0][i].uncovered_surfaces + depth.halves[1][i].uncovered_surfaces <= 0.0F) return;
+    BounceTexel& texel = uncovered.texels[i];
     for (std::size_t half = 0; half < 2; ++half) {
       const DepthPixel& sums = depth.halves[half][i];
-      BounceTexel& texel = uncovered.texels[i];
       texel.without_object(half) = sums.without_object.bounce / surface.albedo;
       texel.change(half) = (sums.with_object.bounce - sums.without_object.bounce) / surface.albedo;
       texel.without_samples(half) = texel.change_samples(half) = sums.uncovered_surfaces;
-      if (!lent.empty()) texel.sums *= lent[static_cast<std::size_t>(depth.blocks().square_of(x, y))];
       if ((texel.change(half) != 0.0F).any()) changed[tile] = 1;
     }
+    if (!lent.empty()) texel.sums *= lent[static_cast<std::size_t>(depth.blocks().square_of(x, y))];
   });
   // Where nothing changes the ratio is 1 whatever is filtered. A change reaches as far as the filter does,
   // and what it is divided by as far again: both together stay within a tile.
