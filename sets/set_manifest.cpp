@@ -63,8 +63,9 @@ bool is_begun_set(const std::filesystem::path& folder) {
 
 void require_set_folder(const std::filesystem::path& folder) {
   std::error_code error;
-  if (!std::filesystem::is_directory(folder, error) || is_begun_set(folder)) return;
-  bool has_others = false;
+  if (!std::filesystem::exists(folder, error) || is_begun_set(folder)) return;
+  const bool is_folder = std::filesystem::is_directory(folder, error);
+  bool has_others = !is_folder;
   for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
     const bool is_hidden = entry.path().filename().string().starts_with(".");  // a probe, a mount's own
     const bool is_empty_folder = entry.is_directory(error) && std::filesystem::is_empty(entry, error);
@@ -74,7 +75,7 @@ void require_set_folder(const std::filesystem::path& folder) {
     throw input_error({.file = folder.string(),
                        .field = request_name("out"),
                        .wanted = "a new or an empty folder, or one with a set",
-                       .found = "a folder with other things in it"});
+                       .found = is_folder ? "a folder with other things in it" : "a file"});
 }
 
 std::size_t stimuli_listed(const std::filesystem::path& set_folder, const StudyDefinition& study) {

@@ -28,7 +28,7 @@ std::string file_at(const TomlTable& table, const std::string& key, const std::s
 
 RecordedFrame read_frame(const TomlTable& table, const std::filesystem::path& path) {
   RecordedFrame frame;
-  if (!table.has("time_s")) throw table.complaint("time_s", range_text("a number", any_time_s), "nothing");
+  if (!table.has("time_s")) throw table.missing("time_s", range_text("a number", any_time_s));
   frame.time_s = table.number("time_s", 0, any_time_s);
   frame.depth_file = file_at(table, "depth");
   frame.colour_file = file_at(table, "colour");

@@ -49,7 +49,7 @@ std::string numbers_text(std::span<const double> values) {
 }  // namespace
 
 Eigen::Isometry3d read_pose(const TomlTable& table) {
-  if (!table.has("translation_m")) throw table.complaint("translation_m", "three numbers", "nothing");
+  if (!table.has("translation_m")) throw table.missing("translation_m", "three numbers");
   const std::array<double, 3> place = table.triple("translation_m", {0, 0, 0}, any_metres);
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translation() = Eigen::Vector3d(place[0], place[1], place[2]);

@@ -43,8 +43,7 @@ void read_setting(const TomlTable& table, const Setting<Owner>& row, Owner& owne
   const auto* choice = std::get_if<Choice<Owner>>(&row.slot);
   if (!table.has(key)) {
     if (!row.required.empty())
-      throw table.complaint(key, choice != nullptr ? words_text(choice->words) : std::string(row.required),
-                            "nothing");
+      throw table.missing(key, choice != nullptr ? words_text(choice->words) : std::string(row.required));
   } else if (row.beside.is_refused && !is_used(row, owner)) {
     throw beside_complaint(table, row.key, row.beside, head_text(row, owner));
   } else if (choice != nullptr) {
@@ -63,6 +62,8 @@ void read_setting(const TomlTable& table, const Setting<Owner>& row, Owner& owne
 template <class Owner>
 void read_settings(const TomlTable& table, Owner& owner) {
   static_assert(!settings_of<Owner>.empty() || std::is_empty_v<Owner>, "include the header with its rows");
+  for (const Setting<Owner>& row : settings_of<Owner>)  // a key of a row is no other one misspelt
+    if (!row.key.empty() && !row.is_read_apart) static_cast<void>(table.has(std::string(row.key)));
   for (const Setting<Owner>& row : settings_of<Owner>)
     if (!row.key.empty() && !row.is_read_apart) read_setting(table, row, owner);
 }

@@ -21,7 +21,7 @@ constexpr int widest_panorama_px = 16384;
 void read_repair(const TomlTable& table, DepthChain& chain) {
   if (!table.has("repair") || table.is_text("repair")) return read_setting(table, "repair", chain);
   const TomlTable repair = *table.table("repair");
-  if (!repair.has("method")) throw repair.complaint("method", "the name of a repair", "nothing");
+  if (!repair.has("method")) throw repair.missing("method", "the name of a repair");
   const auto& choice = std::get<Choice<DepthChain>>(setting<DepthChain>("repair").slot);
   choice.choose(chain, read_word(repair, "method", choice.words));
   std::visit([&](auto& method) { read_settings(repair, method); }, chain.repair);

@@ -59,8 +59,7 @@ std::optional<SourceNoise> read_noise(const TomlTable& source, const std::option
   }
   const TomlTable table = *source.table("noise");
   SourceNoise noise = usual.value_or(SourceNoise{});
-  if (!usual && !table.has("model"))
-    throw table.complaint("model", words_text(words_of<sensors::NoiseModel>), "nothing");
+  if (!usual && !table.has("model")) throw table.missing("model", words_text(words_of<sensors::NoiseModel>));
   read_settings(table, noise);
   std::visit(
       [&](auto& model) {
@@ -173,7 +172,7 @@ FileSource read_file_source(const TomlTable& table, FileSource source, bool know
   source.file = known ? table.text("file", source.file) : table.text("file");
   source.camera = read_camera(table, source.camera, known);
   if (!known && !table.has("convention"))
-    throw table.complaint("convention", "\"radial\" or \"planar\", which a file does not say", "nothing");
+    throw table.missing("convention", "\"radial\" or \"planar\", which a file does not say");
   read_setting(table, "convention", source);
   source.range = read_range_m(table, source.range);
   source.pose = read_pose(table, source.pose);
@@ -230,7 +229,7 @@ std::vector<DepthSource> read_sources(const TomlTable& table, const std::vector<
     throw table.complaint("source", in_list, "an estimate's key");
   std::vector<DepthSource> sources;
   for (const TomlTable& one : table.tables("source")) {
-    if (!one.has("kind")) throw one.complaint("kind", "\"pinhole\", \"file\" or \"stereo\"", "nothing");
+    if (!one.has("kind")) throw one.missing("kind", "\"pinhole\", \"file\" or \"stereo\"");
     sources.push_back(read_source(one, "kind", nullptr, level));
     if (std::holds_alternative<PanoramaSource>(sources.back()))
       throw one.complaint(

@@ -155,7 +155,7 @@ ConditionDefinition read_condition(const TomlTable& table, const StudyDefinition
   refuse_level_keys(table, study.level);
   condition.depth.chain = read_depth_chain(table, study.depth.chain, study.level, study.seed, clock);
   if (has_sensor(study.depth) && !has_sensor(condition.depth) && !table.has("depth_width_px"))
-    throw table.complaint("depth_width_px", "the width of the condition's panorama", "nothing");
+    throw table.missing("depth_width_px", "the width of the condition's panorama");
   read_depth_keys(table, study.level, condition.depth);
   require_level_in_chain(table, condition.depth.chain,
                          width_is_level(study.level.quantity) ? 0 : condition.depth.width_px, study.level,
@@ -198,10 +198,8 @@ DepthSettings read_depth(const TomlTable& study, const LevelDefinition& level, s
   DepthSettings depth;
   depth.chain = read_depth_chain(study, std::nullopt, level, seed, clock);
   if (!has_sensor(depth) && !width_is_level(level.quantity) && !study.has("depth_width_px"))
-    throw study.complaint(
-        "depth_width_px",
-        fmt::format("the width of all depth maps, because the level is {}", facts(level.quantity).key),
-        "nothing");
+    throw study.missing("depth_width_px", fmt::format("the width of all depth maps, because the level is {}",
+                                                      facts(level.quantity).key));
   read_depth_keys(study, level, depth);
   return depth;
 }

@@ -63,6 +63,12 @@ fs::path find_builtin(const std::string& name, BuiltinKind kind, const Complaint
        .found = "\"" + name + "\"" + (nearest.empty() ? "" : "; did you mean \"builtin:" + nearest + "\"?")});
 }
 
+/// What stands where a file was wanted.
+std::string found_at(const fs::path& path) {
+  std::error_code error;
+  return (fs::is_directory(path, error) ? "a folder at " : "no file at ") + path.string();
+}
+
 }  // namespace
 
 fs::path picture_codec_file() {
@@ -102,10 +108,8 @@ fs::path resolve_asset(const std::string& name, const AssetFolders& folders, con
   fs::path path = own_folder / name;
   if (!fs::is_regular_file(path, error) && !folders.asset_root.empty()) path = folders.asset_root / name;
   if (!fs::is_regular_file(path, error))
-    throw input_error({.file = study_file,
-                       .field = field,
-                       .wanted = "a file",
-                       .found = "no file at " + (own_folder / name).string()});
+    throw input_error(
+        {.file = study_file, .field = field, .wanted = "a file", .found = found_at(own_folder / name)});
   if (lies_below(path, own_folder)) return path;
   if (!folders.asset_root.empty() && lies_below(path, folders.asset_root)) return path;
   throw input_error({.file = study_file,
@@ -119,7 +123,7 @@ fs::path resolve_named_file(const std::string& name, const std::string& option, 
   if (name.starts_with(builtin_prefix)) return find_builtin(name, kind, {.file = {}, .field = option});
   std::error_code error;
   if (!fs::is_regular_file(name, error))
-    throw input_error({.field = option, .wanted = "a file", .found = "no file at " + name});
+    throw input_error({.field = option, .wanted = "a file", .found = found_at(name)});
   return name;
 }
 

@@ -112,6 +112,23 @@ InputError TomlTable::complaint(const std::string& key, const std::string& wante
   return input_error({.file = file_, .field = field(key), .wanted = wanted, .found = found});
 }
 
+InputError TomlTable::unknown(const std::string& key, const std::string& nearest) const {
+  return complaint(
+      key, nearest.empty() ? "a key that Seamline knows" : "a known key; did you mean \"" + nearest + "\"?",
+      "\"" + key + "\"");
+}
+
+InputError TomlTable::missing(const std::string& key, const std::string& wanted) const {
+  for (const auto& [other, node] : *node_->table) {
+    const std::string name(other.str());
+    if (asked_.contains(name) || node.is_table() || node.is_array_of_tables()) continue;
+    const bool alike =
+        !nearest_word(name, std::array{key}).empty() && !nearest_word(key, std::array{name}).empty();
+    if (alike) return unknown(name, key);
+  }
+  return complaint(key, wanted, "nothing");
+}
+
 bool TomlTable::has(const std::string& key) const {
   asked_.insert(key);
   return node_->table->contains(key);
@@ -158,7 +175,7 @@ std::string TomlTable::text(const std::string& key, const std::string& fallback)
 }
 
 std::string TomlTable::text(const std::string& key) const {
-  if (!has(key)) throw complaint(key, "a text in quotes", "nothing");
+  if (!has(key)) throw missing(key, "a text in quotes");
   return text(key, "");
 }
 
@@ -181,7 +198,7 @@ std::array<double, 3> TomlTable::triple(const std::string& key, const std::array
 }
 
 std::vector<int> TomlTable::integers(const std::string& key, NumberRange range) const {
-  if (!has(key)) throw complaint(key, "an array of whole numbers", "nothing");
+  if (!has(key)) throw missing(key, "an array of whole numbers");
   const toml::node& node = *node_->table->get(key);
   const toml::array* array = node.as_array();
   if (array == nullptr || array->empty()) throw complaint(key, "an array of whole numbers", shown(node));
@@ -196,7 +213,7 @@ std::vector<int> TomlTable::integers(const std::string& key, NumberRange range) 
 }
 
 std::vector<double> TomlTable::numbers(const std::string& key, NumberRange range) const {
-  if (!has(key)) throw complaint(key, "an array of numbers", "nothing");
+  if (!has(key)) throw missing(key, "an array of numbers");
   const toml::node& node = *node_->table->get(key);
   const toml::array* array = node.as_array();
   if (array == nullptr || array->empty()) throw complaint(key, "an array of numbers", shown(node));
@@ -211,7 +228,7 @@ std::vector<double> TomlTable::numbers(const std::string& key, NumberRange range
 }
 
 std::vector<std::string> TomlTable::texts(const std::string& key) const {
-  if (!has(key)) throw complaint(key, "an array of texts", "nothing");
+  if (!has(key)) throw missing(key, "an array of texts");
   const toml::node& node = *node_->table->get(key);
   const toml::array* array = node.as_array();
   if (array == nullptr || array->empty()) throw complaint(key, "an array of texts", shown(node));
@@ -251,11 +268,7 @@ void TomlTable::finish() const {
   for (const auto& [key, node] : *node_->table) {
     const std::string name(key.str());
     if (asked_.contains(name)) continue;
-    const std::string nearest = nearest_word(name, known);
-    throw complaint(
-        name,
-        nearest.empty() ? "a key that Seamline knows" : "a known key; did you mean \"" + nearest + "\"?",
-        "\"" + name + "\"");
+    throw unknown(name, nearest_word(name, known));
   }
 }
 

@@ -57,11 +57,16 @@ class TomlTable {
   /// A complaint about one of this table's keys.
   [[nodiscard]] InputError complaint(const std::string& key, const std::string& wanted,
                                      const std::string& found) const;
+  /// The same of a key that must be there and is not. Where the table has a key that nobody asked for and
+  /// that looks like it, the complaint is about that one, as `finish` says it.
+  [[nodiscard]] InputError missing(const std::string& key, const std::string& wanted) const;
   [[nodiscard]] std::string field(const std::string& key) const;
 
  private:
   struct Node;
   TomlTable(std::shared_ptr<const Node> node, std::string file, std::string prefix);
+
+  [[nodiscard]] InputError unknown(const std::string& key, const std::string& nearest) const;
 
   std::shared_ptr<const Node> node_;
   std::string file_;

@@ -44,7 +44,11 @@ TEST(BadInput, MisspeltKeySuggestsTheRightOne) {
   expect_complaint(render_study(folder, quick_study_with({{"exposure_ev", "exposure_eV"}})),
                    {"scene[0].exposure_eV", "did you mean \"exposure_ev\""});
   expect_complaint(render_study(folder, quick_study_with({{"depth_width_px", "depth_width"}})),
-                   {"depth_width_px", "nothing"});
+                   {"study.toml: depth_width: wanted a known key; did you mean \"depth_width_px\"?"});
+  expect_complaint(render_study(folder, quick_study_with({{"name = \"statue\"", "nane = \"statue\""}})),
+                   {"scene[0].object[0].nane", "did you mean \"name\"?"});
+  expect_complaint(render_study(folder, quick_study_with({{"depth_width_px", "widths"}})),
+                   {"depth_width_px: wanted an array of whole numbers, found nothing"});
 }
 
 TEST(BadInput, WrongUnitOrImpossibleValue) {
@@ -77,6 +81,9 @@ TEST(BadInput, AFolderWithOtherThingsIsNoPlaceForASetOrAReport) {
   expect_complaint(run_seamline("render " + (test::studies() / "quick.toml").string() + " --out " + out),
                    {"--out", "wanted a new or an empty folder, or one with a set"});
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(out), {}), 1);
+  expect_complaint(run_seamline("render " + (test::studies() / "quick.toml").string() + " --out " +
+                                (folder / "out" / "letter.txt").string()),
+                   {"--out", "wanted a new or an empty folder, or one with a set, found a file"});
   std::filesystem::create_directories(folder / "out" / "records");  // somebody else's, and empty
   expect_complaint(run_seamline("render " + (test::studies() / "quick.toml").string() + " --out " + out),
                    {"--out", "wanted a new or an empty folder, or one with a set"});
@@ -143,8 +150,12 @@ TEST(BadInput, StudyFilesInOtherEncodingsAreNamed) {
        "wanted text in UTF-8 (save the file anew with that encoding), found UTF-16");
 }
 
-TEST(BadInput, AFolderIsNoPictureAndNoDepthMap) {
+TEST(BadInput, AFolderIsNoSceneNoPictureAndNoDepthMap) {
   const auto folder = fresh_folder("bad-folder");
+  expect_refused("picture " + folder.string() + " --out a.png",
+                 "wanted a file, found a folder at " + folder.string());
+  expect_complaint(render_study(folder, quick_study_with({{"builtin:statue", "."}})),
+                   {"scene[0].object[0].file", "wanted a file, found a folder at"});
   expect_refused("flip " + folder.string() + " " + folder.string(), "wanted an image file, found a folder");
 }
 

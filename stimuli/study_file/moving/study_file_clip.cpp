@@ -24,7 +24,7 @@ LineMotion read_line(const TomlTable& path, const Eigen::Vector3d& position_m, Q
   if ((line.to_m - position_m).norm() < 1e-6)
     throw path.complaint("to_m", "another place than the object's position_m", "the same");
   if (!path.has("speed_m_s") && level != Quantity::object_speed_m_s)
-    throw path.complaint("speed_m_s", "a speed, because the level is another quantity", "nothing");
+    throw path.missing("speed_m_s", "a speed, because the level is another quantity");
   return line;
 }
 
@@ -178,8 +178,7 @@ FileAnimation read_animation(const TomlTable& animation, const std::string& file
   if (out.to_s && *out.to_s <= out.from_s)
     throw animation.complaint("to_s", fmt::format("a time after from_s, {} s", out.from_s),
                               fmt::format("{} s", *out.to_s));
-  if (out.repeats && !out.to_s)
-    throw animation.complaint("to_s", "where in the animation it begins anew", "nothing");
+  if (out.repeats && !out.to_s) throw animation.missing("to_s", "where in the animation it begins anew");
   return out;
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 void read_size(const TomlTable& table, bool known, sensors::PinholeCamera& camera) {
   if (!table.has("size_px")) {
-    if (!known) throw table.complaint("size_px", "width and height of the depth map", "nothing");
+    if (!known) throw table.missing("size_px", "width and height of the depth map");
     return;
   }
   const std::vector<int> size = table.integers("size_px", NumberRange{2, 8192, "px"});

@@ -99,7 +99,7 @@ StereoSource read_stereo(const TomlTable& table, StereoSource source, bool known
   source.range = read_range_m(table, source.range);
   source.pose = read_pose(table, source.pose);
   if (!known && !table.has("baseline_m"))
-    throw table.complaint("baseline_m", "the distance of the two cameras in metres", "nothing");
+    throw table.missing("baseline_m", "the distance of the two cameras in metres");
   if (table.has("baseline_m")) read_setting(table, "baseline_m", source);
   read_settings(table, source);
   if (source.disparities_px >= camera.width_px)
