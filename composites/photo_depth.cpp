@@ -73,7 +73,7 @@ sensors::DepthFileForm form_of(const PhotoDepthRequest& request, const sensors::
 }
 
 sensors::DepthMeaning meaning_of(const PhotoDepthRequest& request, const sensors::RawDepth& raw) {
-  sensors::DepthMeaning meaning{.estimate = request.estimate};
+  sensors::DepthMeaning meaning{.estimate = request.estimate, .of_request = true};
   if (request.nothing)
     meaning.nothing = *request.nothing;
   else if (raw.whole && raw.bits == 16 && !request.estimate)

@@ -37,16 +37,22 @@ void require_size(const fs::path& path, const PinholeCamera& camera, int width_p
                       : std::string(", which is of another shape")));
 }
 
+/// What a metre is called where it was stated.
+std::string name_of_scale(const StatedDepth& form) {
+  return form.of_request ? request_name("metres_per_step") : "metres_per_step";
+}
+
 void require_scale(const fs::path& path, const StatedDepth& form, bool whole) {
   if (whole && !form.metres_per_step && !form.estimate)
-    throw complaint(path, "metres_per_step",
+    throw complaint(path, name_of_scale(form),
                     "how many metres a step of its whole numbers is (0.001: millimetres)", "nothing");
 }
 
 void require_form(const fs::path& path, const StatedDepth& form) {
   require_valid(form.camera, path.string() + ": camera.");
   if (form.metres_per_step && !(*form.metres_per_step > 0 && std::isfinite(*form.metres_per_step)))
-    throw complaint(path, "metres_per_step", "a number above 0", fmt::format("{:g}", *form.metres_per_step));
+    throw complaint(path, name_of_scale(form), "a number above 0",
+                    fmt::format("{:g}", *form.metres_per_step));
 }
 
 /// Floats that were brought into 0 to 1 are no metres.
@@ -87,10 +93,11 @@ void require_usual(const fs::path& path, const StatedDepth& form, double median)
   for (const double factor : {1e-3, 1e3, 1e-6, 1e6})
     if (median * factor >= nearest_usual_m && median * factor <= farthest_usual_m && advice.empty())
       advice = fmt::format("give {:g} metres a step if it is {:g} m, or ", scale * factor, median * factor);
-  throw complaint(path, "metres_per_step",
-                  fmt::format("a median depth from {:g} to {:g} m", nearest_usual_m, farthest_usual_m),
-                  fmt::format("{:g} m with {:g} metres a step: {}set unusual_distances if that is meant",
-                              median, scale, advice));
+  throw complaint(
+      path, name_of_scale(form),
+      fmt::format("a median depth from {:g} to {:g} m", nearest_usual_m, farthest_usual_m),
+      fmt::format("{:g} m with {:g} metres a step: {}set unusual_distances{} if that is meant", median, scale,
+                  advice, form.of_request ? " in the file of " + request_name("camera") : ""));
 }
 
 bool stands_for_nothing(const StatedDepth& form, float value) {
@@ -111,6 +118,7 @@ std::vector<KnownValue> known_by_reference(const RawDepth& raw, const StatedDept
   own.metres_per_step = estimate.reference_metres_per_step;
   if (measured.whole && measured.bits == 16) own.nothing.push_back(65535);
   own.unusual_distances = true;
+  own.of_request = form.of_request;
   const DepthFrame reference = depth_of_values(measured, estimate.reference, own, own).file.frame;
   std::vector<KnownValue> known;
   for (int row = 0; row < measured.height_px; ++row)

@@ -15,6 +15,7 @@ namespace seamline::sensors {
 struct DepthMeaning {
   std::vector<double> nothing = {};            ///< values that stand for no depth, beside 0
   std::optional<DepthEstimate> estimate = {};  ///< values are no distances yet
+  bool of_request = false;                     ///< form and meaning are a request's own, not a file's
 };
 
 /// Why pixels have no depth.

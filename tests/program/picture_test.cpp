@@ -97,6 +97,20 @@ TEST(Picture, AFileInWhichNothingHasAnAreaIsRefusedWhereverItIsRead) {
   EXPECT_FALSE(fs::exists(folder / "a.png"));
 }
 
+TEST(Picture, DepthWithoutAUnitNamesTheOptionsThatGiveOne) {
+  const fs::path folder = test::fresh_folder("depth-unit");
+  const auto in = [&](const char* name) { return (folder / name).string(); };
+  write_exr(folder / "photo.exr", Image(16, 12, 3, 0.5F));
+  write_exr(folder / "depth.exr", Image(16, 12, 1, 1500));
+  test::expect_refused(
+      "composite --background " + in("photo.exr") + " --depth " + in("depth.exr") +
+          " --object builtin:teapot --environment 1 1 1 --out " + in("a.png"),
+      "depth.exr: --metres-per-step: wanted a median depth from 0.05 to 500 m, found 1500 m with 1 metres a "
+      "step: give 0.001 metres a step if it is 1.5 m, or set unusual_distances in the file of --camera if "
+      "that is meant");
+  EXPECT_FALSE(fs::exists(folder / "a.png"));
+}
+
 TEST(Picture, WithoutLightItSaysWhichOptionsGiveSome) {
   const fs::path file = test::fresh_folder("picture-dark") / "a.png";
   const auto said = [&](const std::string& options) {
