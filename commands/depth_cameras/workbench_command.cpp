@@ -70,13 +70,14 @@ void add_workbench_commands(CLI::App& app) {
   auto capture_options = std::make_shared<CaptureOptions>();
   CLI::App* capture = app.add_subcommand("capture", "capture a panoramic depth map of a scene file");
   capture->add_option("scene", capture_options->scene, ".glb, .gltf or builtin:NAME")->required();
-  add_number(*capture, "--width", capture_options->width_px, {2, 16384, "px"},
-             "width W; the height is W / 2");
+  add_number(*capture, "--width", capture_options->width_px, {2, 16384, "px"}, "width W; the height is W / 2")
+      ->capture_default_str();
   add_number(*capture, "--yaw", capture_options->yaw_texels, any_yaw_texels,
-             "by which the sampling grid turns");
+             "by which the sampling grid turns")
+      ->capture_default_str();
   const CLI::Option* at = add_number(*capture, "--at", capture_options->at, any_place_m,
                                      "centre X Y Z (default: the scene's camera)");
-  capture->add_option("--out", capture_options->out, "depth map to write (.exr)")->required();
+  capture->add_option("--out", capture_options->out, "depth map to write: .exr and no other")->required();
   capture->callback([capture_options, at, capture] {
     need_extension(capture_options->out, {".exr"});
     require_outputs(*capture, {"--out"});

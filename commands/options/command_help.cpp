@@ -105,6 +105,17 @@ std::string meant(const std::string& typed, const std::vector<std::string>& know
   return nearest.empty() ? std::string() : "; did you mean " + nearest + "?";
 }
 
+/// What CLI11 says of an option with too few values ("--at: 3 required NUMBER:0 to 1 missing"), in words.
+std::string missing_in_words(const std::string& why) {
+  constexpr std::string_view required = " required ", missing = " missing";
+  const std::size_t colon = why.find(": "), after = why.find(required);
+  if (colon == std::string::npos || after == std::string::npos || !why.ends_with(missing)) return why;
+  const std::string name = why.substr(0, colon), count = why.substr(colon + 2, after - colon - 2);
+  if (count.find_first_not_of("0123456789") != std::string::npos) return why;
+  return count == "1" ? name + ": wanted a value, found nothing"
+                      : fmt::format("{}: wanted {} values, found fewer", name, count);
+}
+
 /// What CLI11 says of an option given too often ("--out: At Most 1 required but received 2"), in words.
 std::string counted_in_words(const std::string& why) {
   constexpr std::string_view at_most = ": At Most ", received = " required but received ";
@@ -140,7 +151,7 @@ std::vector<NamedCommand> every_command(CLI::App& program) {
 }
 
 std::string refusal_of_arguments(CLI::App& program, const CLI::ParseError& error) {
-  const std::string why = counted_in_words(error.what());
+  const std::string why = missing_in_words(counted_in_words(error.what()));
   CLI::App& command = innermost(program);
   const std::vector<std::string> rest = program.remaining(true);
   std::vector<std::string> names;

@@ -63,9 +63,14 @@ std::optional<std::pair<int, int>> whole_pair(std::string_view text, char betwee
 
 void number_option::check_numbers(CLI::Option& option, NumberRange range, bool whole) {
   const std::string field = field_of(option);
+  const int numbers = option.get_items_expected_min();
   option.type_name(whole ? "INTEGER" : "NUMBER");
   option.check(CLI::Validator(
-      [field, range, whole](std::string& text) {
+      [field, range, whole, numbers](std::string& text) {
+        if (numbers > 1 && text.starts_with("--"))  // CLI11 takes the next option for a number
+          throw input_error({.field = field,
+                             .wanted = fmt::format("{} numbers", numbers),
+                             .found = "\"" + text + "\" after fewer"});
         if (!(whole ? is_whole_inside(text, range) : is_decimal_inside(text, range)))
           throw input_error({.field = field,
                              .wanted = range_text(whole ? "a whole number" : "a number", range),

@@ -163,6 +163,16 @@ TEST(Options, AWrongNumberIsExitStatusOneAndWritesNothing) {
   EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 
+TEST(Options, TooFewNumbersAreSaidToBe) {
+  const auto said = [](const std::string& arguments) {
+    return run_seamline("picture a.glb " + arguments).output;
+  };
+  EXPECT_THAT(said("--environment 1 1"), StartsWith("seamline: --environment: wanted 3 values, found fewer"));
+  EXPECT_THAT(said("--environment 1 1 --out a.png"),
+              StartsWith("seamline: --environment: wanted 3 numbers, found \"--out\" after fewer"));
+  EXPECT_THAT(said("--out"), StartsWith("seamline: --out: wanted a value, found nothing"));
+}
+
 TEST(Options, EndsOfARangeAreInside) {
   const std::string required = "is required";
   for (const char* text : {"2", "+2", "16384"})
