@@ -134,7 +134,7 @@ inline constexpr auto settings_of<ObjectDefinition> = std::to_array<Setting<Obje
      .form = "`a-z`, `0-9`, `_`"},
     {.key = "file",
      .slot = &ObjectDefinition::file,
-     .meaning = "`builtin:statue`, `teapot`, `creature`, `beast`, `lion`, `dragon`.",
+     .meaning = "`builtin:NAME` is one of the [built-in objects](#built-in-objects).",
      .wording = {.before = " "},
      .changes = Changes::truth,
      .required = "a text in quotes",

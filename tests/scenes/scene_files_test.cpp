@@ -3,7 +3,9 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <numbers>
+#include <regex>
 #include <set>
 
 #include "scenes/builtin.h"
@@ -118,6 +120,26 @@ TEST(ShippedObjects, HaveTwentyThousandTriangles) {
     EXPECT_GE(object.parts[0].mesh.triangles.size(), 20000U) << name;
     EXPECT_NEAR(bounds(object.parts[0].mesh).min().y(), 0.0, 1e-6) << name;
   }
+}
+
+TEST(BuiltinObjects, AreOnTheReferencePageWithTheirSizes) {
+  std::ifstream page(std::filesystem::path(SEAMLINE_SOURCE_DIR) / "documentation/reference/study_file.md");
+  const std::regex row(R"(^\| `builtin:([a-z_]+)` \| ([0-9.]+) \| ([0-9.]+) \| ([0-9.]+) \|.*)");
+  std::set<std::string> listed, made(builtin_object_names.begin(), builtin_object_names.end());
+  made.insert(builtin_furniture_names.begin(), builtin_furniture_names.end());
+  for (std::string line; std::getline(page, line);) {
+    std::smatch cells;
+    if (!std::regex_match(line, cells, row)) continue;
+    const std::string name = cells[1];
+    listed.insert(name);
+    Eigen::AlignedBox3d box;
+    for (const ScenePart& part : read_glb(resolve_named_file("builtin:" + name, "")).parts)
+      box.extend(bounds(part.mesh));
+    for (int axis = 0; axis < 3; ++axis)
+      EXPECT_NEAR(std::stod(cells[2 + static_cast<std::size_t>(axis)]), box.sizes()[axis], 0.0051)
+          << name << " along axis " << axis;
+  }
+  EXPECT_EQ(listed, made);
 }
 
 }  // namespace
