@@ -16,7 +16,7 @@
 namespace seamline::renderer {
 namespace {
 
-constexpr int cell_width_px = 240, cell_height_px = 200, gap_px = 6, label_px = 26, condition_label_px = 110;
+constexpr int cell_width_px = 240, cell_height_px = 200, gap_px = 6, label_px = 26;
 
 /// A rectangle of pixels, ends excluded.
 struct PixelBox {
@@ -109,7 +109,7 @@ void place(const ByteImage& from, const PixelBox& window, ByteImage& sheet, int 
 
 /// The stimuli of one object under one condition, by level, the least noticeable first.
 struct SheetRow {
-  std::string condition;  ///< empty where the set has one
+  std::string label;  ///< scene, object, and the condition where there are several
   std::map<double, const ManifestStimulus*> by_level;
 };
 
@@ -128,28 +128,25 @@ using SheetRows =
 
 ByteImage sheet_of(const std::filesystem::path& set_folder, const Manifest& manifest, const SheetRows& rows) {
   std::map<double, std::string> labels;  // by column_order
-  bool conditions = false;
-  for (const auto& [key, row] : rows) {
-    conditions = conditions || !row.condition.empty();
+  for (const auto& [key, row] : rows)
     for (const auto& [order, record] : row.by_level) labels.emplace(order, column_label(record->stimulus));
-  }
-  const int margin_px = conditions ? condition_label_px : 0;
   const int columns = static_cast<int>(labels.size()) + 1;
-  const int row_height = cell_height_px + gap_px;
-  ByteImage sheet{margin_px + columns * (cell_width_px + gap_px) + gap_px,
+  const int row_height = label_px + cell_height_px + gap_px;
+  ByteImage sheet{columns * (cell_width_px + gap_px) + gap_px,
                   static_cast<int>(rows.size()) * row_height + label_px + gap_px,
                   3,
                   {}};
   sheet.values.assign(
       static_cast<std::size_t>(sheet.width_px) * static_cast<std::size_t>(sheet.height_px) * 3, paper_code);
-  const auto left_of = [&](int column) { return margin_px + gap_px + column * (cell_width_px + gap_px); };
+  const auto left_of = [&](int column) { return gap_px + column * (cell_width_px + gap_px); };
   int column = 0;
   for (const auto& [order, label] : labels) draw_text(sheet, left_of(column++) + 4, 19, label, 16, ink_code);
   draw_text(sheet, left_of(column) + 4, 19, "reference", 16, ink_code);
   int top = label_px;
   for (const auto& [key, row] : rows) {
     const ManifestStimulus& coarsest = *row.by_level.rbegin()->second;
-    if (conditions) draw_text(sheet, gap_px, top + cell_height_px / 2, row.condition, 16, ink_code);
+    draw_text(sheet, left_of(0) + 4, top + 19, row.label, 16, ink_code);
+    top += label_px;
     const auto picture_of = [&](const ManifestStimulus& record) {
       return read_manifest_picture(set_folder, stimulus_picture(manifest, record));
     };
@@ -163,7 +160,7 @@ ByteImage sheet_of(const std::filesystem::path& set_folder, const Manifest& mani
       ++column;
     }
     place(reference, window, sheet, left_of(column), top);
-    top += row_height;
+    top += cell_height_px + gap_px;
   }
   return sheet;
 }
@@ -182,7 +179,8 @@ void write_contact_sheets(const std::filesystem::path& set_folder) {
           std::find(conditions.begin(), conditions.end(), stimulus.condition) - conditions.begin());
       if (place == conditions.size()) conditions.push_back(stimulus.condition);
       SheetRow& row = rows[{stimulus.scene, stimulus.object_index, place}];
-      row.condition = stimulus.condition;
+      row.label = stimulus.scene + ": " + stimulus.object +
+                  (stimulus.condition.empty() ? "" : ", " + stimulus.condition);
       row.by_level[column_order(stimulus)] = &record;
     }
     if (!rows.empty())

@@ -6,10 +6,13 @@
 #include <chrono>
 #include <csignal>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <thread>
+#include <vector>
 
 #include "run_program.h"
 #include "running_program.h"
+#include "support/files/image.h"
 
 namespace seamline {
 namespace {
@@ -91,6 +94,17 @@ TEST(Render, ConditionsShareTheTruthOfOneLightAndCostOthersNothing) {
     EXPECT_TRUE(picture("without", "") != picture("with", "soft-")) << level;
   }
   EXPECT_EQ(run_seamline("verify " + (folder / "with").string()).status, 0);
+  // Above each row of the contact sheet stands whose it is: nine rows below the line of widths.
+  const ByteImage sheet = read_bytes_image(folder / "with/contact-receiver.png");
+  std::set<std::vector<std::uint8_t>> names;
+  constexpr int line_px = 26, row_px = line_px + 200 + 6;
+  ASSERT_EQ(sheet.height_px, line_px + 9 * row_px + 6);
+  const auto values_of_lines = static_cast<std::ptrdiff_t>(sheet.width_px) * 3;
+  for (int row = 0; row < 9; ++row) {
+    const auto top = sheet.values.begin() + (line_px + row * row_px) * values_of_lines;
+    names.emplace(top, top + line_px * values_of_lines);
+  }
+  EXPECT_EQ(names.size(), 9U);
 }
 
 TEST(Render, ALevelOfNoneIsTheFullMesh) {
