@@ -9,7 +9,8 @@ body { margin: 0 auto; padding: 2rem 1.5rem 4rem; max-width: 72rem; background: 
 h1 { font-size: 1.8rem; margin: 0 0 .3rem; } h2 { font-size: 1.25rem; margin: 2.4rem 0 .6rem; }
 p, figcaption { max-width: 48rem; } .soft, figcaption { color: #5a6268; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: .92rem; }
-th, td { padding: .3rem 1.1rem .3rem 0; text-align: right; vertical-align: bottom; }
+th, td { padding: .3rem 1.1rem .3rem 0; text-align: right; vertical-align: top; }
+thead th { vertical-align: bottom; }
 th:first-child, td:first-child { text-align: left; } td { white-space: nowrap; }
 thead th { border-bottom: 2px solid #1f2326; font-weight: 600; } tbody tr { border-bottom: 1px solid #d5d9dd; }
 tfoot td { border-top: 2px solid #1f2326; font-weight: 600; }

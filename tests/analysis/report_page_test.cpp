@@ -14,6 +14,7 @@
 #include "analysis/report/tables/all_tables.h"
 #include "analysis/report/tables/dictionary.h"
 #include "analysis/report/text/numbers_text.h"
+#include "support/files/atomic_file.h"
 #include "support/text/html.h"
 #include "tests/analysis/report_people.h"
 
@@ -21,6 +22,7 @@ namespace seamline::analysis {
 namespace {
 
 using namespace study;
+using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -186,6 +188,23 @@ TEST(ReportPage, OfOnePersonSaysWhatIsMissing) {
   EXPECT_THAT(report.html, HasSubstr("one participant answered, and intervals over participants need"));
   EXPECT_THAT(report.html, HasSubstr("No comparison is made"));
   EXPECT_THAT(report.html, HasSubstr("Response times"));
+}
+
+TEST(ReportPage, NamesOfDottedLinesCoverNoPoint) {
+  Report report = report_of(test::people_log(1, 4));
+  const std::filesystem::path folder = std::filesystem::path(SEAMLINE_TEST_OUTPUT) / "report_page";
+  const auto script = [&](double mean_at_first_level) {
+    for (ArtifactScores& scores : report.analysis.data.artifacts)
+      for (CellMean& cell : scores.cells)
+        if (cell.level == scores.level.front()) cell.mean = mean_at_first_level;
+    static_cast<void>(draw_figures(report.analysis, report.numbers, folder));
+    return read_file(folder / "fig7_averages.gnuplot");
+  };
+  const std::string pt = "'PT  0.5' at graph 0.004, first 0.5 left offset ",
+                    sn = "'SN  1.0' at graph 0.004, first 1.0 left offset ";
+  EXPECT_THAT(script(3.5), AllOf(HasSubstr(pt + "0,0.45"), HasSubstr(sn + "0,0.45")));
+  EXPECT_THAT(script(0.67), AllOf(HasSubstr(pt + "0,-0.55"), HasSubstr(sn + "0,0.45")));
+  EXPECT_THAT(script(1.2), AllOf(HasSubstr(pt + "0,0.45"), HasSubstr(sn + "0,-0.55")));
 }
 
 TEST(ReportPage, OfAnAdaptiveLogShowsTracksAndSaysWhatIsMissing) {

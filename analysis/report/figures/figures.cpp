@@ -135,16 +135,31 @@ Figure conditions_figure(const Analysis& analysis, const std::filesystem::path& 
       });
 }
 
+/// Where the name of a dotted line stands: above it, below it where the point of a curve at the axis' end
+/// would be covered.
+const char* beside_dotted(const NoticeabilityData& data, const LevelsDrawn& drawn, double height) {
+  constexpr double letters_high = 0.35, point_high = 0.05;
+  const bool rises = drawn.axis.noticeability == Direction::increasing;
+  const double end = rises ? drawn.levels.back() : drawn.levels.front();
+  for (const ArtifactScores& scores : data.artifacts)
+    for (const CellMean& cell : scores.cells)
+      if (cell.level == end && cell.mean > height + point_high && cell.mean < height + letters_high)
+        return "0,-0.55";
+  return "0,0.45";
+}
+
 /// Names of the dotted lines, at their left ends.
-std::string line_labels(const MeansDrawn& means, const LevelAxis& axis) {
+std::string line_labels(const MeansDrawn& means, const NoticeabilityData& data, const LevelsDrawn& drawn) {
+  const LevelAxis& axis = drawn.axis;
   if (!means.words.rated)
     return fmt::format("set label 1 '{}' at {} offset 0,-0.55 textcolor rgb '{}' front\n",
                        means.words.chance_word,
                        beside_line(axis, 0.004, fmt::format("{:.6g}", means.words.chance)), ink);
   return fmt::format(
-      "set label 1 'PT  0.5' at {1} offset 0,0.45 textcolor rgb '{0}' front\n"
-      "set label 2 'SN  1.0' at {2} offset 0,0.45 textcolor rgb '{0}' front\n",
-      ink, beside_line(axis, 0.004, "0.5"), beside_line(axis, 0.004, "1.0"));
+      "set label 1 'PT  0.5' at {1} offset {3} textcolor rgb '{0}' front\n"
+      "set label 2 'SN  1.0' at {2} offset {4} textcolor rgb '{0}' front\n",
+      ink, beside_line(axis, 0.004, "0.5"), beside_line(axis, 0.004, "1.0"), beside_dotted(data, drawn, 0.5),
+      beside_dotted(data, drawn, 1.0));
 }
 
 Figure average_figure(const Analysis& analysis, const std::filesystem::path& folder) {
@@ -168,8 +183,8 @@ Figure average_figure(const Analysis& analysis, const std::filesystem::path& fol
     plots += plot_line(name, i, artifact_title(scores.artifact));
   }
   script += panel_frame(grid.panels.front(), drawn, source_text(analysis), means.words.mean) +
-            fmt::format("set key top {}\n{}{}{}\n", key_side(drawn.axis), line_labels(means, drawn.axis),
-                        means.lines, plots);
+            fmt::format("set key top {}\n{}{}{}\n", key_side(drawn.axis),
+                        line_labels(means, analysis.data, drawn), means.lines, plots);
   draw_figure(figure.svg, grid.height_px, script, Readers::owner);
   return figure;
 }

@@ -141,7 +141,7 @@ std::string threshold_lines_html(const MatchAnalysis& analysis) {
                                      {"SD of a match", true},
                                      {"start effect", true}};
   if (planted) columns.push_back({"planted", true});
-  return html_table(columns, lines);
+  return html_table(columns, lines, "tight");
 }
 
 std::string person_lines_html(const MatchAnalysis& analysis) {

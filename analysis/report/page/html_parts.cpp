@@ -9,13 +9,14 @@
 namespace seamline::analysis {
 
 std::string html_table(const std::vector<HtmlColumn>& columns,
-                       const std::vector<std::vector<std::string>>& lines) {
+                       const std::vector<std::vector<std::string>>& lines, const std::string& style) {
   const auto attribute = [&](std::size_t column) {
     if (column >= columns.size()) return "";
     if (columns[column].sentence) return " class=\"sentence\"";
     return columns[column].number ? " class=\"number\"" : "";
   };
-  std::string html = "<div class=\"scroll\"><table>\n<thead><tr>";
+  std::string html = fmt::format("<div class=\"scroll\"><table{}>\n<thead><tr>",
+                                 style.empty() ? "" : " class=\"" + style + "\"");
   for (std::size_t i = 0; i < columns.size(); ++i)
     html += fmt::format("<th scope=\"col\"{}>{}</th>", attribute(i), html_escape(columns[i].title));
   html += "</tr></thead>\n<tbody>\n";

@@ -13,9 +13,11 @@ struct HtmlColumn {
   bool sentence = false;  ///< wraps, and is not bold
 };
 
-/// A table of text cells, all escaped; the first cell of a line is its header.
+/// A table of text cells, all escaped; the first cell of a line is its header. `style`: a class of the style
+/// sheet, such as "tight" for many columns.
 [[nodiscard]] std::string html_table(const std::vector<HtmlColumn>& columns,
-                                     const std::vector<std::vector<std::string>>& lines);
+                                     const std::vector<std::vector<std::string>>& lines,
+                                     const std::string& style = {});
 
 /// An escaped paragraph.
 [[nodiscard]] std::string html_paragraph(const std::string& text);
