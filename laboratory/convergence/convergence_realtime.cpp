@@ -113,8 +113,9 @@ std::vector<RealtimeRow> measure_realtime(const ConvergenceSubject& subject, con
   };
   const Image traced = picture(local.traced_world());
   std::vector<RealtimeRow> rows;
+  std::vector<double> rmse(list.size());
   std::vector<std::array<double, runs>> prepare(list.size()), ask(list.size());
-  Progress progress(stimulus_id(subject.stimulus) + " realtime", (runs + 1) * list.size());
+  Progress progress(stimulus_id(subject.stimulus) + " realtime", runs * list.size());
   for (std::size_t run = 0; run < runs; ++run)
     for (std::size_t i = 0; i < list.size(); ++i) {
       const double start_s = processor_seconds();
@@ -123,16 +124,15 @@ std::vector<RealtimeRow> measure_realtime(const ConvergenceSubject& subject, con
       const double asked_s = processor_seconds();
       ask_frame(subject, world);
       ask[i][run] = processor_seconds() - asked_s;
+      if (run == 0) rmse[i] = display_rmse(picture(world), traced, subject.exposure_ev());
       progress.advance(1, list[i].name + " " + list[i].setting);
     }
-  for (std::size_t i = 0; i < list.size(); ++i) {
+  for (std::size_t i = 0; i < list.size(); ++i)
     rows.push_back({.method = list[i].name,
                     .setting = list[i].setting,
-                    .rmse = display_rmse(picture(world_of(list[i].pipeline)), traced, subject.exposure_ev()),
+                    .rmse = rmse[i],
                     .prepare_seconds = middle(prepare[i]),
                     .ask_seconds = middle(ask[i])});
-    progress.advance(1, list[i].name + " " + list[i].setting);
-  }
   return rows;
 }
 
