@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "board_pictures.h"
 #include "registration/calibration/opencv.h"
 #include "registration/files/camera_file.h"
 #include "run_program.h"
@@ -23,30 +24,6 @@ using test::run_seamline;
 using test::write_text;
 using testing::HasSubstr;
 
-/// A board of 8 x 6 squares of 40 mm, thus 7 x 5 inner corners, with a white border, on grey; every pixel is
-/// the mean of 4 x 4 places in it.
-ByteImage chessboard_picture(const PinholeCamera& camera, const Isometry3d& camera_from_board) {
-  constexpr double square_m = 0.04;
-  const Isometry3d board_from_camera = camera_from_board.inverse();
-  const auto brightness = [&](const Eigen::Vector2d& at_px) {
-    const Eigen::Vector3d from = board_from_camera.translation(),
-                          along = board_from_camera.linear() * *sensors::direction_through(camera, at_px);
-    const Eigen::Vector3d place = from - along * (from.z() / along.z());
-    const double column = place.x() / square_m + 1, row = place.y() / square_m + 1;
-    if (column < -1 || column > 9 || row < -1 || row > 7) return 0.4;
-    if (column < 0 || column > 8 || row < 0 || row > 6) return 0.95;
-    return (static_cast<int>(column) + static_cast<int>(row)) % 2 == 0 ? 0.05 : 0.95;
-  };
-  ByteImage picture{camera.width_px, camera.height_px, 1, {}};
-  for (int row = 0; row < camera.height_px; ++row)
-    for (int column = 0; column < camera.width_px; ++column) {
-      double sum = 0;
-      for (int i = 0; i < 16; ++i) sum += brightness({column + (i % 4 + 0.5) / 4, row + (i / 4 + 0.5) / 4});
-      picture.values.push_back(code_from_display(srgb_from_linear(static_cast<float>(sum / 16))));
-    }
-  return picture;
-}
-
 struct Pictures {
   std::string depth, colour;
 };
@@ -54,17 +31,14 @@ struct Pictures {
 /// Pictures of one board in several places, by both cameras of a rig.
 Pictures take_pictures(const fs::path& folder, const PinholeCamera& depth, const PinholeCamera& colour,
                        const Isometry3d& colour_from_depth, int count) {
+  const test::Board board;  // 7 x 5 inner corners, 40 mm apart
   Random random(3);
   Pictures pictures;
   for (int i = 0; i < count; ++i) {
-    Isometry3d board =
-        sensors::pose_of({0, 0, 0}, {random.normal(), random.normal(), 0.2}, 15 + 15 * random.uniform());
-    board.translation() = Eigen::Vector3d(0.1 * random.uniform() - 0.05, 0.1 * random.uniform() - 0.05,
-                                          0.55 + 0.2 * random.uniform()) -
-                          board.linear() * Eigen::Vector3d(0.12, 0.08, 0);
+    const Isometry3d place = test::next_board_place(board, random);
     const fs::path a = folder / fmt::format("depth-{}.png", i), b = folder / fmt::format("colour-{}.png", i);
-    write_png(a, chessboard_picture(depth, board));
-    write_png(b, chessboard_picture(colour, colour_from_depth * board));
+    write_png(a, test::chessboard_picture(board, depth, place));
+    write_png(b, test::chessboard_picture(board, colour, colour_from_depth * place));
     pictures.depth += " " + a.string();
     pictures.colour += " " + b.string();
   }
