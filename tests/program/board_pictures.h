@@ -31,7 +31,9 @@ inline ByteImage chessboard_picture(const Board& board, const sensors::PinholeCa
   for (int row = 0; row < camera.height_px; ++row)
     for (int column = 0; column < camera.width_px; ++column) {
       double sum = 0;
-      for (int i = 0; i < 16; ++i) sum += brightness({column + (i % 4 + 0.5) / 4, row + (i / 4 + 0.5) / 4});
+      for (const double down : {0.125, 0.375, 0.625, 0.875})
+        for (const double right : {0.125, 0.375, 0.625, 0.875})
+          sum += brightness({column + right, row + down});
       picture.values.push_back(code_from_display(srgb_from_linear(static_cast<float>(sum / 16))));
     }
   return picture;

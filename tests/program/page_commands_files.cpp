@@ -53,7 +53,8 @@ std::array<int, 3> block_of(const ByteImage& picture, int left, int top) {
   for (int i = 0; i < 64; ++i) {
     const int x = std::min(left + i % 8, picture.width_px - 1),
               y = std::min(top + i / 8, picture.height_px - 1);
-    const auto at = static_cast<std::size_t>(3 * (y * picture.width_px + x));
+    const auto at = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width_px) +
+                         static_cast<std::size_t>(x));
     const double red = picture.values[at], green = picture.values[at + 1], blue = picture.values[at + 2];
     const double luma = 0.299 * red + 0.587 * green + 0.114 * blue;
     sum[0] += luma - 128;

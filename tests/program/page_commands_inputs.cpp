@@ -219,19 +219,20 @@ class InputLock {
   int file_;
 };
 
-/// Where an input of that name is; it is made anew for a program that was built since.
+/// Where an input of that name is; it is made anew where the program or this test was built since.
 fs::path made(const std::string& name) {
   const fs::path folder = fs::path(SEAMLINE_TEST_OUTPUT) / "page-inputs", out = folder / name / name;
   fs::create_directories(folder);
   const InputLock lock(folder / (name + ".lock"));
   const fs::path stamp = folder / (name + ".of");
-  const std::string program =
-      std::to_string(fs::last_write_time(SEAMLINE_PROGRAM).time_since_epoch().count());
-  if (fs::exists(stamp) && read_text(stamp) == program) return out;
+  std::string programs;
+  for (const char* program : {SEAMLINE_PROGRAM, "/proc/self/exe"})
+    programs += std::to_string(fs::last_write_time(program).time_since_epoch().count()) + "\n";
+  if (fs::exists(stamp) && read_text(stamp) == programs) return out;
   fs::remove_all(folder / name);
   fs::create_directories(folder / name);
   makers().at(name)(out);
-  write_text(stamp, program);
+  write_text(stamp, programs);
   return out;
 }
 

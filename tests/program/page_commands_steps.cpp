@@ -253,7 +253,7 @@ std::string smaller_study(const std::string& text, bool every_stimulus) {
     if ((name == "depth_width_px" || name == "values") && value.front() == '[' && !every_stimulus)
       by = few_values(value);
     if (name == "depth_width_px" && value.front() != '[') by = "256";
-    line = std::string(part[1]) + name + " = " + by + std::string(part.suffix());
+    line = part[1].str().append(name).append(" = ").append(by).append(part.suffix());
     line = std::regex_replace(line, std::regex("(mask|matte)_width_px = 4096"), "$1_width_px = 256");
     line = std::regex_replace(line, std::regex(R"(panel_px = \[[0-9]+, [0-9]+\])"), "panel_px = [96, 54]");
     if (name == "samples_per_pixel" && text.find("mesh_tolerance") == std::string::npos)
