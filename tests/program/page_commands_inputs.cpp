@@ -221,7 +221,8 @@ class InputLock {
 
 /// Where an input of that name is; it is made anew where the program or this test was built since.
 fs::path made(const std::string& name) {
-  const fs::path folder = fs::path(SEAMLINE_TEST_OUTPUT) / "page-inputs", out = folder / name / name;
+  const fs::path folder = fs::path(SEAMLINE_TEST_OUTPUT) / "page-inputs";
+  fs::path out = folder / name / name;
   fs::create_directories(folder);
   const InputLock lock(folder / (name + ".lock"));
   const fs::path stamp = folder / (name + ".of");
