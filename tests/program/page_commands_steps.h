@@ -24,10 +24,10 @@ struct OtherProgram {
 inline constexpr std::array other_programs = {
     OtherProgram{"./quickstart", "installs what the build needs, builds, runs all tests"},
     OtherProgram{"apt-get ", "as root; packaging/try_on_bare_debian runs it"},
-    OtherProgram{"(cd build/release && cpack", "packaging/try_on_bare_debian runs it"},
+    OtherProgram{"(cd build/release && cpack", "makes what packaging/try_on_bare_debian tries"},
     OtherProgram{"cmake --install", "Install.* run it"},
-    OtherProgram{"cmake --build build/release --target site", "Site.* run it"},
-    OtherProgram{"documentation/site/build", "Site.* run it"},
+    OtherProgram{"cmake --build build/release --target site", "runs documentation/site/build"},
+    OtherProgram{"documentation/site/build", "CI runs it"},
     OtherProgram{"/shared/job/", "ClusterScripts.* run it with stand-ins, Slurm.* with Slurm"},
     OtherProgram{"certbot ", "asks a certificate authority"},
     OtherProgram{"shuf ", "coreutils"},
