@@ -14,11 +14,11 @@
 #include <regex>
 #include <set>
 
+#include "browser_person.h"
 #include "page_commands_inputs.h"
 #include "page_commands_steps.h"
 #include "study/trials/rendered_set.h"
 #include "tests/app/x_server.h"
-#include "tests/online/http_client.h"
 
 namespace seamline::page_commands {
 namespace {
@@ -118,21 +118,6 @@ class Begun {
   pid_t child_ = -1;
   int status_ = 0;
 };
-
-/// A person in a browser, from consent to the last picture.
-void answer_in_browser(study::online::Page page, int port, const std::string& invitation) {
-  using namespace study::online;
-  HttpClient client(port);
-  const auto enrolled = client.enrol(page.enrol(), invitation);
-  ASSERT_TRUE(enrolled && enrolled->status == 200) << (enrolled ? enrolled->body : "no answer");
-  page.code = enrolled->json().at("participant");
-  page.slot = enrolled->json().at("slot");
-  for (const Message& message : page.the_rest()) {
-    const auto stored =
-        client.request("POST", "/api/messages", message_line(message) + "\n", enrolled->json().at("secret"));
-    ASSERT_TRUE(stored && stored->status == 200) << (stored ? stored->body : "no answer");
-  }
-}
 
 class Follower {
  public:
@@ -246,8 +231,8 @@ class Follower {
     if (command.has("--host") || !command.has("--set")) return false;
     const study::RenderedSet set = study::load_rendered_set(folder_ / command.behind("--set"));
     if (set.study.look) return false;
-    answer_in_browser({.set = &set, .number = ++people_, .pilot = is_pilot_}, port,
-                      command.has("--tokens") ? invitation_ : "");
+    test::answer_in_browser({.set = &set, .number = ++people_, .pilot = is_pilot_}, port,
+                            command.has("--tokens") ? invitation_ : "");
     return true;
   }
 

@@ -4,11 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "browser_person.h"
 #include "pages.h"
 #include "run_program.h"
 #include "running_program.h"
 #include "study/trials/rendered_set.h"
-#include "tests/online/http_client.h"
 
 namespace seamline {
 namespace {
@@ -53,22 +53,6 @@ int port_of(const test::Running& server) {
   return 0;
 }
 
-/// A pilot goes through the page, from consent to the last picture.
-void take_part(const study::RenderedSet& set, int port) {
-  using namespace study::online;
-  HttpClient client(port);
-  Page page{.set = &set, .number = 1, .pilot = true};
-  const auto enrolled = client.enrol(page.enrol());
-  ASSERT_TRUE(enrolled && enrolled->status == 200) << (enrolled ? enrolled->body : "no answer");
-  page.code = enrolled->json().at("participant");
-  page.slot = enrolled->json().at("slot");
-  for (const Message& message : page.the_rest()) {
-    const auto stored =
-        client.request("POST", "/api/messages", message_line(message) + "\n", enrolled->json().at("secret"));
-    ASSERT_TRUE(stored && stored->status == 200) << (stored ? stored->body : "no answer");
-  }
-}
-
 /// Serves as the line says, at any free port of this machine. Who has an invitation comes on another day.
 void serve_line(const fs::path& folder, const std::string& line) {
   std::istringstream words(line);
@@ -82,8 +66,10 @@ void serve_line(const fs::path& folder, const std::string& line) {
   const test::Running server = test::start(arguments, folder / "served");
   if (const int port = port_of(server); port == 0)
     ADD_FAILURE() << line << "\n" << test::read_text(server.output);
-  else if (line.find("--tokens") == std::string::npos)
-    take_part(study::load_rendered_set(folder / "my_set"), port);
+  else if (line.find("--tokens") == std::string::npos) {
+    const study::RenderedSet set = study::load_rendered_set(folder / "my_set");
+    test::answer_in_browser({.set = &set, .number = 1, .pilot = true}, port);
+  }
   EXPECT_EQ(test::status_after(server, SIGINT), 0) << test::read_text(server.output);
 }
 
